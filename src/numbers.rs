@@ -106,8 +106,8 @@ impl Intermediate {
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// The intermediate value `x`. `result` gives what is printed in the end; it is the same for
-    /// the rounded [`value`](Self::value) as for `x`.
+    /// The intermediate value `x`. `result` gives what is printed in the end, which is the same
+    /// for the rounded [`value`](Self::value) as for `x`.
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
         Self::leading_to(x, text, |read| read, result)
@@ -268,7 +268,7 @@ pub(crate) fn mean(x: &[f64]) -> Option<f64> {
 }
 
 /// Pearson's correlation coefficient; `None` for fewer than three pairs, or if the squared
-/// deviations of one variable from its mean add up to no more than a millionth.
+/// deviations of either variable from its mean add up to no more than a millionth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {
@@ -397,7 +397,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// The error is at most half a unit of the last place, plus the rounding error of parsing.
+        /// The error is at most half a unit in the last place, plus the rounding error of parsing.
         #[test]
         fn printed_numbers_are_read_back_rounded(x in any_number(), decimals in 0_usize..5) {
             let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();

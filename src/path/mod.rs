@@ -242,8 +242,8 @@ impl<'a> PathSoFar<'a> {
         5 * all.right >= 4 * all.attempts
     }
 
-    /// The chapter to read for a missed topic. A chapter counts as missed if more of its topics
-    /// were last answered wrong than right.
+    /// The chapter to read for a missed topic. The topics of a chapter count as missed if more of
+    /// them were last answered wrong than right.
     fn missed(&self, topics: &TopicsAsked) -> Option<NextStep> {
         let knows_most = self.knows_most();
         let missed = |at: usize| {

@@ -16,7 +16,7 @@ pub(crate) struct Capture {
     pub(crate) spin: f64,
     /// Energy of that rotation, ½ I ω², in joules.
     pub(crate) rotation_energy: f64,
-    /// Kinetic energy lost, in joules; the rotational energy is not lost.
+    /// Kinetic energy lost, in joules; the rotational energy does not count as lost.
     pub energy_lost: f64,
 }
 

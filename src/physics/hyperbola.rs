@@ -22,8 +22,8 @@ pub struct Hyperbola {
 }
 
 impl Rutherford {
-    /// The path at impact parameter b metres: positive if the charge is to the right of the
-    /// incoming particle, which is then deflected to the left.
+    /// The path at impact parameter b metres, where b is positive if the charge is to the
+    /// right of the incoming particle, which is then deflected to the left.
     pub fn path(&self, impact_parameter: f64) -> Hyperbola {
         let angle = self.scattering_angle(impact_parameter.abs());
         Hyperbola {

@@ -44,8 +44,8 @@ impl Contact {
 
     /// Resolves the contact; `None` unless the bodies are approaching each other.
     ///
-    /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ), which
-    /// combines the components along n and t. A body that comes to rest gets a velocity of
+    /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ). These
+    /// formulas combine the components along n and t. A body that comes to rest gets a velocity of
     /// exactly zero, without rounding noise.
     #[inline]
     pub(crate) fn resolve(&self) -> Option<Impact> {

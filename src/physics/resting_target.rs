@@ -15,7 +15,7 @@
 //! *Mechanics*, § 17. Below e = 1 the same holds with Newton's law of restitution along n, as in
 //! W. Goldsmith, *Impact* (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are in units of u, and energies in units of ½m₁u². `None` means
+//! Angles are in radians, speeds in units of u, and energies in units of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;

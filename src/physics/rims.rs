@@ -43,7 +43,7 @@ pub(super) struct Rub {
     pub(super) spins: [f64; 2],
     /// The impulse Jₜ on body 2 along the tangent t (and on body 1 against it), in N·s.
     pub(super) impulse: f64,
-    /// Energy lost by friction, in joules.
+    /// Energy lost to friction, in joules.
     pub(super) energy_lost: f64,
 }
 

@@ -41,8 +41,8 @@ pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
 /// The fraction of α-particles from radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
-/// cm of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only
-/// count whose absolute scale is known.
+/// cm of gold on a screen of 1 mm² at 1 cm, known to within 20 % (Phil. Mag. 25 (1913) 604): the
+/// only count whose absolute scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
 
 /// A charged projectile and a fixed charge of the same sign.
@@ -110,7 +110,8 @@ impl Rutherford {
 }
 
 /// Distance between the centres at which an α-particle and a nucleus of this mass number touch,
-/// r₀ (A_α^⅓ + A^⅓), in metres. Closer than this, and slightly beyond, the nuclear force acts.
+/// r₀ (A_α^⅓ + A^⅓), in metres. Within this distance, and slightly beyond it, the nuclear force
+/// acts.
 pub(crate) fn touching_distance(mass_number: f64) -> f64 {
     NUCLEAR_RADIUS * (ALPHA_MASS_NUMBER.cbrt() + mass_number.cbrt())
 }

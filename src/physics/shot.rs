@@ -246,7 +246,7 @@ impl Shot {
     }
 
     /// The path of a disc as straight legs, for drawing its trail; none for a disc that never
-    /// moves. The rotation of a pair that sticks is cut into chords of a few degrees.
+    /// moves. While a pair that sticks rotates, the path is cut into chords of a few degrees.
     pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
         let legs = &self.legs[disc];
         let capture = self.capture.as_ref();

@@ -29,7 +29,7 @@ pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// The fraction of its speed that a disc loses per second initially, a/v; 0 for a disc at rest.
+/// The fraction of its initial speed that a disc loses per second, a/v; 0 for a disc at rest.
 #[inline]
 pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     if speed > 0.0 {

@@ -12,11 +12,11 @@ use crate::widgets::picture::{self, Pen, View};
 use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
 use crate::widgets::svg::Svg;
 
-/// Each share over time is calculated from the last answers at one confidence level: this number of
-/// them, or fewer at the start.
+/// Each share over time is calculated from this many of the last answers at one confidence level,
+/// or from fewer at the start.
 const SHARED: usize = 10;
-/// If there are many answers in all, each share is calculated from more than [`SHARED`] of them:
-/// their total number divided by this, rounded down to a multiple of ten.
+/// The total number of answers is divided by this and rounded down to a multiple of ten; if the
+/// result is more than [`SHARED`], it is used instead.
 const GROUPS: usize = 40;
 /// The sizes, in columns and rows, of a picture in the wide left column of the page and of a
 /// picture in the narrow right one.
@@ -67,7 +67,7 @@ fn errors(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// The share of right answers at each confidence level, over its target range.
+/// The share of right answers at each confidence level, drawn over its target range.
 fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {

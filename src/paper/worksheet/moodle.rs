@@ -218,7 +218,7 @@ fn of_rays(question: &Question, truth: &Rays, target: &str) -> [[Markup; 2]; 2] 
             AnswerField::of_sides(&SIDES, sides(ray, right)),
         ]
     });
-    // A ray that shows a misconception by itself comes first: its sentence needs no condition.
+    // Misconceptions that a single ray reveals come first: their feedback needs no condition.
     let alone = question.beliefs.iter().filter(|it| it.telltale.is_some());
     let together = question.beliefs.iter().filter(|it| it.telltale.is_none());
     for belief in alone.chain(together) {
@@ -253,8 +253,8 @@ fn size_deg(angle: Option<f64>) -> f64 {
     deg_from_rad(angle.unwrap_or_default().abs())
 }
 
-/// For each of the [`SIDES`], whether it is right for a ray. Straight ahead and straight back are
-/// on neither side, so left and right are both accepted.
+/// For each of the [`SIDES`], whether it is correct for a ray. Straight ahead and straight back
+/// are on neither side, so left and right are both accepted.
 fn sides(ray: Ray, angle: Option<f64>) -> [bool; 3] {
     let Some(angle) = angle else {
         return [false, false, true];
@@ -323,7 +323,7 @@ fn exact(x: f64) -> String {
 }
 
 impl AnswerField {
-    /// A field with a list of sides, some of which are right.
+    /// A field with a list of sides, some of which are correct.
     fn of_sides(sides: &[&str], right: [bool; 3]) -> Self {
         let each = sides.iter().zip(right);
         let known = each

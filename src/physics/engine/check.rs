@@ -4,8 +4,8 @@ use super::super::{Board, Disc, Motion};
 use super::grid::WORTHWHILE;
 use super::{EngineError, Limits};
 
-/// The distance, in metres, by which discs may overlap each other or the frame at the start, which
-/// allows for the rounding errors of positions that are meant to touch.
+/// The distance, in metres, by which discs may overlap each other or the frame at the start: an
+/// allowance for rounding errors in the positions of discs that are meant to touch.
 const ROUNDING: f64 = 1e-10;
 
 pub(in super::super) fn check(

@@ -87,8 +87,8 @@ impl Pair {
         let parting = self.d.dot(self.w) / self.contact_distance;
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
         // The first limit is √(½ PRESS · pressing). If a pair starts pressing from rest, its
-        // overlap reaches PRESS at twice this speed. An impact at that point separates the pair so
-        // fast that it no longer counts as gentle.
+        // approach speed is twice this limit when its overlap reaches PRESS. An impact at that
+        // point separates the pair so fast that it no longer counts as gentle.
         let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {
@@ -123,7 +123,7 @@ impl Pair {
         parts.then(|| first_root([c1, c2, c3, c4, 0.0], end))?
     }
 
-    /// The contact of a pair with a gap between the discs, if a is opposite to w or zero: the path
+    /// The contact of a pair with a gap between the discs, if a is zero or opposite to w: the path
     /// is straight, so the distance follows from a triangle and the time from s = v t − ½ a t².
     fn straight(&self, gap: f64) -> Option<f64> {
         let time = time_to_distance(self.d, self.w, self.contact_distance, gap)?;

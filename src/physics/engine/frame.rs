@@ -56,7 +56,8 @@ impl FrameSide {
 }
 
 /// The time in seconds from the start of a slide to its end, and the cause of the end.
-/// `relative_deceleration` is the fraction of its speed that the disc loses per second, a/v.
+/// `relative_deceleration` is the fraction of its initial speed that the disc loses per second,
+/// a/v.
 ///
 /// All times are first calculated for a constant speed, because friction does not change the order
 /// of events.

@@ -1,4 +1,4 @@
-//! Numbers that do not follow from a collision of two discs: beams and Rutherford's atom.
+//! Numbers that describe beams and Rutherford's atom, not a collision of two discs.
 
 use super::super::beam::Beam;
 use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};

@@ -645,8 +645,7 @@ fn write_prompts(prompts: &[String], keys: &[Option<String>], lines: &mut Lines)
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.hung("", &sentences.join(" ")).1;
-    // The written rows differ from the text only in their spaces, so only the other characters are
-    // counted.
+    // The written rows differ from the text only in their spaces, so spaces are not counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let owners = sentences.iter().enumerate();
     let mut owners = owners.flat_map(|(own, text)| iter::repeat_n(own, letters(text)));

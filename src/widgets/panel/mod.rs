@@ -1,5 +1,6 @@
-//! The text beside a picture, as a list of blocks that describe its meaning and the actions
-//! triggered by clicks, but not the positions of letters. [`cells`] lays a panel out and draws it.
+//! The text beside a picture, as a list of blocks that describe the meaning of the text and the
+//! actions triggered by clicks, but not the positions of letters. [`cells`] lays a panel out and
+//! draws it.
 
 mod board;
 mod cells;
@@ -116,7 +117,7 @@ enum Content {
         share: f64,
         value: String,
     },
-    /// A fraction between 0 and 1 and its target range, each with a description.
+    /// A fraction between 0 and 1, and its target range, each with a description.
     Gauge {
         share: f64,
         value: String,
@@ -592,9 +593,9 @@ impl<A> Panel<A> {
         self.push_with(Content::TextField { label, typed }, Some(chosen), action);
     }
 
-    /// Adds a table with column headings; either all its rows can be selected or none. If the
-    /// number of panel rows that the table `leaves` for other blocks is given, the table may be
-    /// longer than the panel, and only the part around the selected row is shown.
+    /// Adds a table with column headings; either all its rows can be selected or none. `leaves` is
+    /// the number of panel rows left for other blocks; if it is given, the table may be longer than
+    /// the panel, and only the part around the selected row is shown.
     pub(crate) fn table(
         &mut self,
         columns: Vec<TableColumn>,

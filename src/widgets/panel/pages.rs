@@ -371,7 +371,6 @@ fn on_one_page<'p>(
     Some(vec![first, PagedText::new(stem, setting, usize::MAX)?])
 }
 
-/// The last sentence of a text.
 fn last_sentence(text: &str) -> &str {
     let start = text::sentence_ends(text).last().unwrap_or(0);
     text[start..].trim_start()

@@ -40,8 +40,8 @@ pub(crate) fn errors_picture(
         1 => shown.iter().map(|(_, error, _)| *error).fold(0.0, f64::max),
         _ => line.iter().map(|point| point.y).fold(0.0, f64::max),
     };
-    // The top of the axis is a multiple of ten, with some space above the highest value, unless
-    // that is 180.
+    // The top of the axis is a multiple of ten, with some space above the highest value unless
+    // that value is 180.
     let top = (10.0 * (highest / 10.0).floor() + 10.0).clamp(20.0, 180.0);
     let from = first.min((last - 9.0).max(1.0));
     let to = last.max(from + 9.0);

@@ -62,7 +62,7 @@ impl Plot {
         })
     }
 
-    /// The smallest value of y whose mark does not touch the x axis.
+    /// The smallest value of y at which a mark does not touch the x axis.
     pub(crate) fn least_clear(&self) -> f64 {
         let (low, _) = self.axes[1].ends();
         self.axes[1].value(low + self.picture.view().per_row())
@@ -83,7 +83,7 @@ impl Plot {
     /// Adds the graph of a function over the whole x axis; the graph is interrupted where the
     /// function has no value.
     pub(crate) fn function(&mut self, y: impl Fn(f64) -> Option<f64>, pen: impl Into<Pen>) {
-        // Four points per column are finer than the dots of the screen.
+        // Four points per column are closer together than the dots of the screen.
         let pieces = 4 * u32::from(self.paper().width.saturating_sub(1)).max(1);
         let (from, to) = self.axes[0].ends();
         let points: Vec<DVec2> = (0..=pieces)

@@ -16,7 +16,7 @@ pub(crate) struct ShotImpact {
     pub collision: Collision,
 }
 
-/// All impacts, in order, of a shot that began with the disc `set_off`.
+/// All impacts of a shot, in order; `set_off` is the index of the disc that was shot.
 pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotImpact> + '_ {
     shot.events().iter().filter_map(move |event| {
         let EventKind::Impact {

@@ -74,8 +74,8 @@ pub enum ShotAction {
 }
 
 impl ShotPlayer {
-    /// Creates a player for a shot that began with the disc `set_off`; impacts after the end of the
-    /// clock are left out.
+    /// Creates a player for a shot; `set_off` is the index of the disc that was shot. Impacts after
+    /// the end of the clock are left out.
     pub(crate) fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
         let seen = impacts(&shot, set_off).take_while(|impact| impact.time <= clock.end());
         Self {

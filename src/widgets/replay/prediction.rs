@@ -22,7 +22,7 @@ pub(crate) struct ImpactPrediction {
 }
 
 impl ImpactPrediction {
-    /// Handles the mouse over the picture, which turns a ray; returns whether it was used.
+    /// Lets the mouse over the picture turn a ray; returns whether the mouse was used.
     pub(crate) fn point(&mut self, mouse: &Mouse, area: Rect) -> bool {
         let used = mouse.is_held() && area.contains(mouse.cell().into());
         if used {

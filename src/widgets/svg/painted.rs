@@ -102,7 +102,7 @@ impl DrawnPicture {
     }
 
     /// The cells that nothing covers. In each row these are the cells outside the range of changed
-    /// cells, because a page drawn over a picture may contain spaces.
+    /// cells, because spaces in a page drawn over a picture may leave cells unchanged.
     fn uncovered(&self, screen: &Buffer) -> impl Iterator<Item = Position> {
         let area = self.cells.area;
         area.rows().flat_map(move |row| {

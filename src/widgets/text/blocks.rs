@@ -51,8 +51,8 @@ pub(crate) fn sextants() -> impl Iterator<Item = (char, u8)> {
 }
 
 /// The octants and their parts, like [`sextants`]. Octants that consist of quadrants are left out,
-/// as are those with other names, such as UPPER ONE QUARTER BLOCK and the single corners: all these
-/// have other code points.
+/// as are those not named BLOCK OCTANT, such as UPPER ONE QUARTER BLOCK and the single corners: all
+/// these have code points elsewhere.
 pub(crate) fn octants() -> impl Iterator<Item = (char, u8)> {
     const OTHERS: [u8; 10] = [0x01, 0x02, 0x03, 0x14, 0x28, 0x3f, 0x40, 0x80, 0xc0, 0xfc];
     let consists_of_quadrants = |parts: u8| (parts ^ parts >> 2) & 0b00_11_00_11 == 0;

@@ -146,7 +146,7 @@ pub enum Words {
     },
     /// A fraction of a whole.
     Meter {
-        /// The name of the whole, written before the bar.
+        /// The name, written before the bar.
         name: String,
         /// The fraction, from 0 to 1.
         share: f64,

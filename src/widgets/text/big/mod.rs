@@ -1,8 +1,8 @@
 //! Large type, which is legible from the back row of a class.
 //!
-//! The letters are those of the public-domain font "8x8" (crate `font8x8`), set closely together.
-//! A pixel is an eighth of a cell (a braille dot), a quarter, half a cell or two cells. In ASCII,
-//! half a cell is a quotation mark or a full stop, and the smallest letters are those of `strokes`,
+//! The letters are those of the public-domain font "8x8" (crate `font8x8`), set close together. A
+//! pixel is an eighth (a braille dot), a quarter or half of a cell, or two cells. In ASCII, half a
+//! cell is a quotation mark or a full stop, and the smallest letters are those of `strokes`,
 //! because there are no smaller parts of a cell. In Unicode, the smallest letters have a braille
 //! dot for each pixel.
 

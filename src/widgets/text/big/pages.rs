@@ -49,8 +49,8 @@ impl BigPages {
     /// Sets paragraphs. The first page has the columns and rows of `first`, and all other pages
     /// have those of `rest`. A paragraph that is not marked as whole may continue on the next page.
     /// A word that is too long for a line of the first page starts the next page. `None` if there
-    /// are more than `most` pages, a word or a line does not fit on an empty page after the first,
-    /// or any letter has no large form.
+    /// are more than `most` pages, if a word or a line does not fit on an empty page after the
+    /// first, or if any letter has no large form.
     pub(crate) fn set(
         paragraphs: &[BigParagraph],
         [first, rest]: [(u16, u16); 2],

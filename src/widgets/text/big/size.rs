@@ -90,7 +90,7 @@ impl LetterSize {
     }
 
     /// The height of a lower-case letter such as x as a fraction of a row: the numerator and the
-    /// denominator. There is a gap between dots, so half a gap is lost at the top and at the
+    /// denominator. There is a gap between dots, so half a gap is lost both at the top and at the
     /// bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {

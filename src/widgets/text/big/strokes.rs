@@ -48,7 +48,7 @@ pub(super) fn empty_rows(line: &LetterRows) -> usize {
 }
 
 /// The number of rows from the top of a line to the top of the next line. The capitals of the next
-/// line may be between the descenders of this line if they do not touch.
+/// line may share a row with the descenders of this line if the two do not touch.
 pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
     let tails = above[ROWS - 1].iter().enumerate();
     let mut tails = tails.filter(|(_, c)| **c != ' ').map(|(at, _)| at);

@@ -104,9 +104,10 @@ impl Setter {
         left.beside(&roofed)
     }
 
-    /// Sets superscripts and subscripts. A subscript is on the row itself if Unicode has letters
-    /// for it (in ASCII they are spelt out), otherwise below. A superscript is on the row in
-    /// Unicode if there are letters for it and the base has a single row, otherwise above.
+    /// Sets superscripts and subscripts. A subscript is on the baseline if Unicode has letters for
+    /// it (in ASCII they are spelt out), otherwise below the base. In Unicode, a superscript is on
+    /// the baseline if there are letters for it and the base has a single row; in all other cases
+    /// it is above the base.
     fn scripted(
         &self,
         base: &FormulaBlock,
@@ -133,7 +134,7 @@ impl Setter {
         set.with_scripts(high.as_ref(), low.as_ref())
     }
 
-    /// Sets a subscript beside its base; an underscore separates letters from letters.
+    /// Sets a subscript beside its base; in ASCII, an underscore separates two letters.
     fn spelt(&self, letters: &str, base: &FormulaBlock) -> FormulaBlock {
         let spelt = self.charset.text(letters);
         let joined = base.ends_with_letter() && spelt.starts_with(char::is_alphabetic);
