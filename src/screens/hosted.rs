@@ -460,7 +460,7 @@ impl<S: Screen> AnyScreen for Hosted<S> {
     }
 }
 
-/// Draws a short text into the upper right corner of an area, over its contents.
+/// Draws a short text in the upper right corner of an area, over its contents.
 fn draw_corner(words: &str, area: Rect, buf: &mut Buffer, look: &Look) {
     sheet::note(area, || Item::new(Words::large(words, Role::Selected)));
     let words = format!(" {words} ");

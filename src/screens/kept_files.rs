@@ -92,7 +92,7 @@ impl<T> KeptFiles<T> {
         self.loading
     }
 
-    /// Whether an answer is the file that was requested last.
+    /// Whether the answer with this ticket is the file that was requested last.
     pub(super) fn take_loaded(&mut self, ticket: u64) -> bool {
         self.loading.take_if(|it| *it == ticket).is_some()
     }

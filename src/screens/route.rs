@@ -10,7 +10,7 @@ use crate::measure::Measurement;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
-/// A screen to open, with its contents. The name of a route is the one in links.
+/// A screen to open, with its contents. The name of a route is the one used in links.
 #[derive(Debug, Clone, PartialEq, IntoStaticStr)]
 #[strum(serialize_all = "lowercase")]
 pub enum Route {

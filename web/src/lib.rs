@@ -1,6 +1,6 @@
 //! carrom in a browser: another shell for the same app.
 //!
-//! The page (`page/`) passes in inputs and the time, and receives cells, pictures and requests.
+//! The page (`page/`) sends inputs and the time, and receives cells, pictures and requests.
 //! Messages in both directions are JSON, followed by the bytes of files if there are any:
 //!
 //! ```text

@@ -22,7 +22,7 @@ pub enum Command {
         kind: String,
         /// The position in columns from the left edge.
         x: f64,
-        /// The position in rows from the upper edge.
+        /// The position in rows from the top edge.
         y: f64,
     },
     /// Text was pasted.
@@ -81,7 +81,7 @@ pub enum Command {
     Changed,
     /// The save has ended.
     Kept {
-        /// The reason in words, if it failed.
+        /// The reason in words, if the save failed.
         failed: Option<String>,
     },
     /// Saving is taking a long time.
@@ -91,10 +91,10 @@ pub enum Command {
         /// The name of the file.
         name: String,
     },
-    /// Send the database, for a download.
+    /// Send the database for the player to download.
     Progress,
-    /// Send the shape of a glyph as lines: its path and its opacity. There are no lines if the
-    /// glyph is drawn as a letter.
+    /// Send the shape of a glyph as two lines of text: its path and its opacity. No lines are sent
+    /// if the glyph is drawn as a letter.
     Glyph {
         /// The glyph.
         letter: String,
@@ -217,7 +217,7 @@ pub struct Reply {
     pub quit: bool,
     /// Requests on behalf of a pupil in a class, in order.
     pub calls: Vec<ClassCall>,
-    /// Texts for the player to download.
+    /// Text files for the player to download.
     pub downloads: Vec<Download>,
     /// The frame, if the command was to draw one.
     pub painted: Option<Painted>,
@@ -227,7 +227,7 @@ pub struct Reply {
     pub gone: Vec<String>,
     /// Lines of plain mode, or the shape of a glyph.
     pub lines: Vec<String>,
-    /// The address of the current screen, as in a link; after `&said=` the answers given there.
+    /// The address of the current screen, as in a link; any answers given there follow `&said=`.
     pub address: String,
     /// The number of open screens.
     pub depth: usize,
@@ -243,7 +243,7 @@ pub struct Reply {
     pub bytes: Vec<u8>,
 }
 
-/// A text for the player to download.
+/// A text file for the player to download.
 #[derive(Debug, Clone, Serialize)]
 pub struct Download {
     /// The name of the file.
@@ -267,7 +267,7 @@ pub struct Painted {
     pub colours: [u32; 2],
     /// The colour of each role, if any has changed.
     pub inks: Option<Vec<(Role, u32)>>,
-    /// The text of the screen and of the layer over it, if any of it has changed.
+    /// The text of the screen and of the layer over it, if any of the text has changed.
     pub sheets: Option<Vec<SheetMessage>>,
 }
 
@@ -302,9 +302,9 @@ pub struct Keys {
     pub id: String,
     /// The names of the keys.
     pub keys: Vec<String>,
-    /// The name of the action on the bottom line.
+    /// The action's name on the bottom line.
     pub name: &'static str,
-    /// The description of the action on the help page.
+    /// The action's description on the help page.
     pub help: &'static str,
     /// The label of each key's button, if the keys have separate labels.
     pub words: &'static [&'static str],

@@ -11,7 +11,7 @@ use carrom::widgets::{Charset, Depth, Palette};
 
 use crate::message::Opening;
 
-/// The largest number of errors in a link that are reported.
+/// The largest number of errors that are reported for one link.
 const MOST_FAULTS: usize = 5;
 
 /// The app that the page's [`Opening`] requests. The first screen reports the invalid parts of the
@@ -141,7 +141,7 @@ impl LinkTarget {
     }
 }
 
-/// A decoded part of an address: `%20` and `+` are spaces.
+/// A part of an address, decoded: `%20` and `+` become spaces.
 pub(crate) fn unescaped(text: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = text.as_bytes();
@@ -174,7 +174,8 @@ mod tests {
         app(&opening, Data::default(), KeptSettings::default())
     }
 
-    /// A link may come from anybody: it opens a screen, which reports briefly what is invalid.
+    /// A link may come from anybody: even a hostile one opens a screen, which briefly reports what
+    /// is invalid.
     #[test]
     fn a_hostile_link_opens_the_first_screen_and_is_quoted_in_part() {
         // This letter does not otherwise occur on the screen.

@@ -132,7 +132,7 @@ pub(crate) fn take_in(
         return Ok((format!("{name} is saved. {found}."), true));
     }
     if name.ends_with(".toml") {
-        // Class rounds of every format have this field; saved games of no format have it.
+        // In every format, class rounds have this field and saved games do not.
         let is_class = String::from_utf8_lossy(bytes).contains("\nstep = ");
         let file = (name.to_owned(), bytes.to_vec());
         let (kind, place) = match is_class {
@@ -171,7 +171,7 @@ mod tests {
         assert!(own.problems.is_empty() && !own.concepts.is_empty());
         let tracks = include_bytes!("../../assets/examples/measured/pucks.txt");
         assert!(measured("pucks.txt", tracks).is_some_and(|it| it.is_ok()));
-        // A file in pixels is accepted: the player sets the scale later, on the screen.
+        // Positions in pixels are accepted: the player sets the scale later, on the screen.
         let pixels = include_bytes!("../../assets/examples/measured/careless.csv");
         assert!(measured("careless.csv", pixels).is_some_and(|it| it.is_ok()));
         assert!(measured("notes.txt", b"hello").is_some_and(|it| it.is_err()));

@@ -16,8 +16,8 @@ const LONGEST: usize = 255;
 pub struct RoundReport {
     /// Whether all questions are answered.
     pub done: bool,
-    /// The points for accuracy, as a percentage of the possible points of the whole round, to two
-    /// decimal places.
+    /// The points for accuracy, as a percentage of the maximum for the whole round, to two decimal
+    /// places.
     pub score: f64,
     /// The answers, in the order of the questions.
     pub answers: Vec<AnswerReport>,
@@ -38,8 +38,8 @@ pub struct AnswerReport {
     pub right: bool,
 }
 
-/// The report of the round with this code and these answers, written as in a link; `None` if they
-/// do not fit the round.
+/// The report of the round with this code, for answers written as in a link; `None` if there is no
+/// such round or the answers do not fit it.
 pub(crate) fn of_round(code: &str, said: &str, own: &Arc<Library>) -> Option<RoundReport> {
     let code = Code::parse(code)?.with_own(own).ok()?;
     let round = Round::of(code.clone());
@@ -79,7 +79,7 @@ pub(crate) fn of_round(code: &str, said: &str, own: &Arc<Library>) -> Option<Rou
     })
 }
 
-/// An answer as SCORM writes it.
+/// An answer in the form that SCORM requires.
 fn in_form(form: &Form, said: &Response) -> String {
     let thousandths = |x: f64| (x * 1e3).round() / 1e3;
     match said {
@@ -95,7 +95,7 @@ fn in_form(form: &Form, said: &Response) -> String {
 mod tests {
     use super::*;
 
-    /// Answers to the first questions of a round, each correct.
+    /// Correct answers to the first questions of a round.
     fn correct(code: &str, count: usize) -> String {
         let round = Round::of(Code::parse(code).unwrap());
         let answers = round.questions().iter().take(count);

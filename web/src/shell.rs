@@ -35,7 +35,7 @@ pub struct Shell {
     /// The last frame, and the colours of its cells.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
-    /// The number of frames drawn, and the last version of each part that was sent.
+    /// The number of frames drawn, and each part of the frame as it was last sent.
     paints: u64,
     sent_keys: Vec<Keys>,
     sent_sheets: Vec<Sheet>,
@@ -388,8 +388,8 @@ impl Shell {
             .map(|row| Keys {
                 id: row.id.clone(),
                 keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
-                    // This includes a number's decimal point and minus, which the bottom line does
-                    // not show.
+                    // This includes the decimal point and the minus sign of a number, which the
+                    // bottom line does not show.
                     true => row.all_keys().map(|key| key.to_string()).collect(),
                     false => row.keys().map(|key| key.to_string()).collect(),
                 },
@@ -422,7 +422,7 @@ fn call(call: JoinCall) -> ClassCall {
     }
 }
 
-/// The news from the class as an input of the app.
+/// The news from the class as an input to the app.
 fn heard(news: News) -> JoinNews {
     match news {
         News::Reached => JoinNews::Reached,

@@ -26,7 +26,7 @@ pub(crate) enum MeasuredAction {
     Scroll(i16),
     /// show every result with its uncertainty
     Everything,
-    /// set the masses, the radii, the scale and the e for the prediction
+    /// set the masses, the radii, the scale and the value of e for the prediction
     Settings,
     /// change the settings
     Set(FormAction),

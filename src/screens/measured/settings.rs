@@ -1,4 +1,5 @@
-//! What a pupil sets after opening a file: masses, radii, the scale and the e for the prediction.
+//! What a pupil sets after opening a file: masses, radii, the scale and the value of e for the
+//! prediction.
 
 use crate::measure::Given;
 use crate::numbers::short;

@@ -7,7 +7,7 @@ use crate::quiz::{NAMED_ODDS, Origin};
 use crate::widgets::Role;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
-/// The smallest number of columns in which the figures fit beside the longest name.
+/// The smallest width, in columns, at which the numbers fit beside the longest name.
 const WIDE: u16 = 75;
 
 /// One row per misconception: how many of the answers that could have shown it did so, in the

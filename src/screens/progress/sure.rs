@@ -11,12 +11,13 @@ use crate::widgets::panel::Panel;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The largest number of answers from which a share is calculated, all with the same confidence.
+/// The largest number of answers, all with the same confidence, from which a share of right answers
+/// is calculated.
 const REACH: usize = 10;
 /// The number of recent answers that are shown.
 const SHOWN: usize = 200;
 
-/// For each confidence, the share of right answers and the range in which it should be.
+/// For each confidence level, the share of right answers and the range in which it should be.
 pub(super) fn table(history: &History, panel: &mut Panel<ProgressAction>) {
     for calibrated in calibration(&history.attempts) {
         let Calibrated { confidence, tally } = calibrated;
@@ -47,15 +48,15 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// For each confidence, the share of right answers among the last few; or the reason why there
-/// is no plot.
+/// For each confidence level, the share of right answers among the last few; or the reason why
+/// there is no plot.
 pub(super) fn plot_over_time(history: &History, area: Rect, look: Look) -> Plotted {
     let picture = sureness_picture(&history.attempts, SHOWN, REACH, area, look);
     picture.ok_or("A line appears here after three answers with the same confidence.")
 }
 
-/// The latest share of right answers for each confidence, and the ranges in which the lines should
-/// be.
+/// The latest share of right answers for each confidence level, and the ranges in which the lines
+/// should be.
 pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressAction>) {
     let shares = calibration_over_time(&history.attempts, REACH);
     panel.heading("Right among the last ten");

@@ -29,8 +29,8 @@ use crate::widgets::hit::{Overlays, Reveal, Sighting, SightingAction, Watch, Wat
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
-/// If the verdict appears as soon as a confidence is chosen, the first Enter within this time does
-/// not close it: a player who presses a digit for the confidence and then Enter means to confirm
+/// If the verdict appears as soon as a confidence level is chosen, the first Enter within this time
+/// does not close it: a player who presses a digit for the level and then Enter means to confirm
 /// the digit.
 const SETTLING: Duration = Duration::from_millis(500);
 
@@ -91,7 +91,7 @@ pub(crate) struct Quiz {
 
 #[derive(Debug, Clone)]
 enum QuizPhase {
-    /// Answering, then choosing a confidence.
+    /// Answering, then choosing a confidence level.
     Asked(Box<OpenQuestion>),
     /// Observing the collision of an answered question, without any explanation.
     See(Box<SeenQuestion>),

@@ -208,8 +208,8 @@ fn the_coin_can_be_dragged_to_set_the_offset() {
         _ => None,
     };
     // The striker's path is horizontal, on row 11; the striker's right-hand side is below it. The
-    // 20 rows of the picture span 6.6 radii of 15 mm, and the coin moves by half of the offset: 9.9
-    // mm per row, rounded to half a millimetre.
+    // 20 rows of the picture span 6.6 radii of 15 mm, and the coin moves by half of the offset, so
+    // a row is 9.9 mm of offset; the offset is rounded to half a millimetre.
     for (row, rows) in [(11, 0.0), (12, 1.0), (13, 2.0), (9, -2.0)] {
         sitting.mouse(MouseKind::Drag, (30, row));
         let Some(Response::Shot(offset)) = offset(&sitting) else {

@@ -228,7 +228,7 @@ fn link(setup: &CollisionSpec) -> String {
 mod tests {
     use super::*;
 
-    /// Otherwise a player would have to pass thirty columns to reach the one they have varied.
+    /// Otherwise a player would have to go through thirty columns to reach the setting they varied.
     #[test]
     fn a_column_that_is_the_same_in_all_hits_is_not_offered_for_the_plot() {
         let hit = |link| NotedHit::new(CollisionSpec::from_link(link).unwrap(), None);

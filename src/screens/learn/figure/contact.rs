@@ -2,7 +2,7 @@
 //!
 //! The rims are springs that are stiffer while they expand (1/e² times as stiff): the force rises
 //! along a quarter of a sine wave and falls along another quarter, which lasts e times as long. The
-//! area is J, and the average force is 2/π of the greatest, whatever e is.
+//! area under the curve is J, and the average force is 2/π of the greatest, whatever e is.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 

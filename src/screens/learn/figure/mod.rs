@@ -343,7 +343,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // If the collision is shown in two frames, neither can be changed.
+                // If the collision is shown in two frames, no key switches to another frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha().with(watched, FigureAction::Watch)
@@ -421,7 +421,7 @@ impl LiveFigure {
                 }
                 return alpha.is_some();
             }
-            // The dial runs from the left edge of the picture to the right one.
+            // The dial runs from the left edge of the picture to the right edge.
             FigureState::Plain | FigureState::Film(_) if held => {
                 let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
                 return self.set_dial(|dial| dial.at(share));

@@ -235,7 +235,8 @@ mod tests {
         }
     }
 
-    /// The blank steps of any collision do not show the values that the student has to find.
+    /// Whatever the kind of collision, blank steps do not show the values that the student has to
+    /// find.
     #[test]
     fn a_blank_step_does_not_show_its_result() {
         let setup = CollisionSpec {
