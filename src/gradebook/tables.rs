@@ -83,7 +83,7 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     table(&columns, &items(results))
 }
 
-/// A function that returns the cell of a row.
+/// A function that returns the text of a column's cell in a row.
 type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
 
 /// A table of these columns, each with its heading.

@@ -123,9 +123,9 @@ impl Book {
         }
     }
 
-    /// The last chapter in the book that was opened and is not done, and the page at which the
-    /// player continues. This is the page where the player left the chapter or, once all pages have
-    /// been read, the first page with an unanswered question.
+    /// Of the chapters that have been opened but are not done, the last one in the book, and the
+    /// page at which the player continues. This is the page where the player left the chapter or,
+    /// once all pages have been read, the first page with an unanswered question.
     pub(crate) fn begun(&self) -> Option<(usize, usize)> {
         let chapters = self.library().chapters.iter().enumerate();
         let begun = chapters.rev().find_map(|(at, chapter)| {

@@ -39,7 +39,7 @@ pub enum CheckpointKind {
     Number {
         /// The correct number.
         expected: Expected,
-        /// The largest error that counts as right, in the same unit as the number.
+        /// The largest error with which an answer counts as right, in the same unit as the number.
         tolerance: f64,
     },
     /// One of several options, which the student chooses.
@@ -218,7 +218,7 @@ const NO_HIT: &str =
 fn number(words: &mut Words, page: &PageSource) -> Result<CheckpointKind, String> {
     let tolerance = words.number("tolerance", 1e-9, 1e6)?;
     let tolerance =
-        tolerance.ok_or("expected tolerance= and the largest error that counts as right")?;
+        tolerance.ok_or("expected tolerance= and the largest error of a right answer")?;
     let expected = match words.field("answer") {
         Some(answer) => {
             let wrong = || format!("answer: expected a number, found {answer}");

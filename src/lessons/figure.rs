@@ -53,7 +53,7 @@ pub enum FigureKind {
     /// Two bars, before and after, each with the energy of the centre-of-mass motion and that of
     /// the relative motion.
     Parts,
-    /// A simulated film of the collision, measured as `carrom measure` does.
+    /// A simulated film of the collision, measured the way `carrom measure` does it.
     Film {
         /// How it is filmed.
         filming: Filming,
@@ -70,7 +70,7 @@ pub enum FigureKind {
     },
     /// Many random shots at one disc.
     Shots {
-        /// Whether the offsets fill a disc, as they do in space, instead of a line.
+        /// Whether the offsets fill a disc, as for spheres in space, instead of a line.
         space: bool,
         /// The angle, in degrees, beyond which shots are counted.
         beyond_deg: f64,

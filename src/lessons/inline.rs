@@ -21,8 +21,8 @@ impl PageSource<'_> {
     }
 }
 
-/// The first of the placeholders for formulas and numbers while the Markdown is being read. They
-/// are private-use characters of Unicode, which no text should contain.
+/// The first of the placeholders that replace formulas and numbers while the Markdown is being
+/// read. They are private-use characters of Unicode, which no text should contain.
 const STAND_IN: u32 = 0xe000;
 
 /// Reads a paragraph that begins at the given line of the file.

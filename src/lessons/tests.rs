@@ -52,8 +52,8 @@ fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>>
     all
 }
 
-/// A page about a misconception must contain at least one of its phrases, which are written as they
-/// are in the chapters.
+/// A page about a misconception must contain at least one of the misconception's phrases, which are
+/// written as they are in the chapters.
 const OF_MISCONCEPTIONS: &str = "
     impact angle, at α =, 180 deg - 2 alpha, 90 deg - alpha | copied-angle
     90°, right angle, with equal masses | always-square square-on-the-ground
@@ -158,7 +158,7 @@ const OF_TOPICS: &str = "
     scale, marks, noise, uncertainty | uncertainty
 ";
 
-/// A kind of wrong answer: the misconception, if a known misconception leads to the answer, the
+/// A kind of wrong answer: the misconception (if a known misconception leads to the answer), the
 /// topic, and the names of the case.
 type Case = (Option<&'static str>, Topic, [String; 3]);
 
@@ -181,7 +181,7 @@ fn cases() -> BTreeMap<Case, Figures> {
     cases
 }
 
-/// The chapters that are only about equal masses without loss.
+/// The chapters that are only about equal masses that collide without loss.
 const OF_EQUAL_MASSES: [&str; 2] = ["the-right-angle", "speeds-and-angles"];
 /// The chapters that are only about unequal masses.
 const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];

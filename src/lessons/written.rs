@@ -11,7 +11,8 @@ pub(super) struct WrittenFigure {
     margin: f64,
 }
 
-/// The permitted rounding error, as a fraction of a root or of the last decimal place.
+/// The permitted rounding error, as a fraction of the value of a root or of one unit in the last
+/// decimal place.
 const NOISE: f64 = 1e-9;
 
 impl WrittenFigure {

@@ -62,7 +62,7 @@ pub enum Goal {
         /// The minimum number of cushions.
         least: usize,
     },
-    /// A disc hits cushions, either before or after other collisions.
+    /// A disc hits cushions, whether before or after other collisions.
     Cushions {
         /// The number of the disc.
         disc: usize,

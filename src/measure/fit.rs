@@ -16,7 +16,7 @@ use super::{Fault, SlowingDown};
 /// much in less than this fraction of all measurements.
 pub const LEVEL: f64 = 0.01;
 /// With fewer degrees of freedom than this, the noise of each body alone would be too uncertain.
-/// Both bodies then share one noise in x and one in y.
+/// Both bodies then share one noise level in x and one in y.
 const FEW: f64 = 25.0;
 /// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
 const RADII_SIGMA: f64 = 1e-4;
@@ -201,7 +201,8 @@ impl TracksFit {
             let starts = starts.iter().flat_map(|it| slower(it, &model, points));
             slow = Self::best(starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
-            // If straight lines are fitted to the paths of slowing bodies, a body at rest seems to move.
+            // If straight lines are fitted to the paths of slowing bodies, a body at rest seems to
+            // move.
             let at_rest = match &slow {
                 Some(fit) => slowing.find(|body| !moves(fit, *body, Leg::Before)),
                 None => slowing.min_by(|a, b| {
@@ -250,7 +251,7 @@ impl TracksFit {
         Self::weighted(state, model, [1.0; CHANNELS], points)
     }
 
-    /// The fit near a state, in which each channel is weighted by its own noise.
+    /// The fit near a state, with each channel weighted by its own noise.
     fn weighted(
         mut state: State,
         model: &Model,
@@ -301,7 +302,8 @@ impl TracksFit {
         })
     }
 
-    /// Uses the sum of the radii to improve the contact, unless the tracks contradict it.
+    /// Uses the sum of the radii to find the contact more precisely, unless the tracks contradict
+    /// this sum.
     fn use_radii(&mut self, radii: Option<f64>, points: [&[Point]; 2]) {
         let between = |state: &State| Some(state.centre(0).distance(state.centre(1)));
         let (Some(radii), Some(found)) = (radii, self.estimate(between)) else {
@@ -482,8 +484,8 @@ fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> [State; 3] {
             let side = if moves_after { Leg::After } else { Leg::Before };
             let speed = start.velocity(body, side).length();
             let rate = share * speed / duration(body);
-            // The body covers the same distance in the same time, so its speed at contact is
-            // `first` times its mean speed.
+            // The body covers the same distance in the same time as in `start`, so its speed at
+            // contact is `first` times its mean speed.
             let first = if share < 2.0 {
                 1.0 + 0.5 * share
             } else {

@@ -1,7 +1,7 @@
 //! The motion of both bodies as a function of its parameters, and its least-squares fit.
 //!
-//! Each body moves straight to the contact and straight away from it; on each of these two legs it
-//! may slow down at a constant rate, even to a stop. The legs meet at the position of the body's
+//! Each body moves to the contact and away from it along straight lines; on each of these two legs
+//! it may slow down at a constant rate, even to a stop. The legs meet at the position of the body's
 //! centre at the time of contact; this time is the same for both bodies. The fit is by Gauss-Newton
 //! steps with Levenberg's damping.
 

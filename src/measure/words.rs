@@ -42,8 +42,8 @@ fn row(name: impl Into<String>, text: impl Into<String>) -> ReportRow {
     }
 }
 
-/// The number of decimal places that show an uncertainty with one significant figure, or with two
-/// if the first is a 1.
+/// The number of decimal places to which an uncertainty has one significant figure, or two if the
+/// first is a 1.
 fn decimals(uncertainty: f64) -> usize {
     if !(uncertainty > 0.0 && uncertainty.is_finite()) {
         return 4;
@@ -170,7 +170,7 @@ impl Measurement {
         self.found(id).unwrap_or_else(|_| "not defined".into())
     }
 
-    /// Like [`Self::printed`], or why there is none.
+    /// Like [`Self::printed`], but with the reason if there is no result.
     fn found(&self, id: &str) -> Result<String, String> {
         let (quantity, estimate) = self.quantity(id)?;
         Ok(printed(&estimate, quantity.unit))
@@ -265,7 +265,8 @@ impl Measurement {
         ]
     }
 
-    /// A row for each of these quantities, with its result as `text` gives it, or why there is none.
+    /// A row for each of these quantities, with its result as `text` gives it, or why there is
+    /// none.
     fn rows(
         &self,
         ids: &[&str],

@@ -32,6 +32,6 @@ pub enum JoinNews {
     Lost,
     /// The token and the name that were saved during an earlier connection.
     Remembered(String, String),
-    /// The device was asleep or the page was hidden, and is active again.
+    /// The device was asleep or the page was hidden, and carrom is now active again.
     Awake,
 }

@@ -25,8 +25,9 @@ pub enum Effect {
         /// The content of the file.
         content: String,
     },
-    /// In a terminal, write the page for browsers to a file with this name, with the player's own
-    /// levels, chapters and questions, and return an [`Input::Exported`](super::Input::Exported).
+    /// In a terminal, write the page for browsers, including the player's own levels, chapters and
+    /// questions, to a file with this name, and return an
+    /// [`Input::Exported`](super::Input::Exported).
     ExportPage {
         /// The name of the file.
         name: String,

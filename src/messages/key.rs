@@ -62,8 +62,8 @@ impl Key {
     /// The four arrows: up, down, left, right.
     pub(crate) const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
 
-    /// The key that a string stands for, which is either a single character or the name of a key as
-    /// in a tape.
+    /// The key that a string stands for; the string is either a single character or the name of a
+    /// key as in a tape.
     pub fn parse(text: &str) -> Option<Self> {
         match text.parse::<char>() {
             Ok(c) if !c.is_control() => Some(Self::Char(c)),

@@ -92,7 +92,7 @@ pub enum PlayerAction {
     /// The player gave an answer, which is saved with the current time. It should be saved before
     /// the explanation is shown, so nothing is drawn until then, unless saving takes a long time.
     Record(Box<Attempt>),
-    /// The player saw something in a hit, which is saved with the current time.
+    /// The player observed a hit; the observation is saved with the current time.
     Observe(Box<Observation>),
     /// This player added a hit to the notebook in the lab; the hit is saved with the current time.
     NoteHit(String, Box<NotedHit>),

@@ -148,8 +148,8 @@ fn teach(
         if has_news {
             game.input(&Input::Hosted(news));
         }
-        // The screen is drawn only after a change: large letters take time, and the devices would
-        // have to wait.
+        // The screen is drawn only after a change, because drawing large letters takes time, and
+        // the devices have to wait meanwhile.
         if pressed || has_news {
             *shown.lock().unwrap() = game.screen();
         }

@@ -1,9 +1,9 @@
-//! Laws that rarely apply, each tested with a complete game in which it does. The games are files in
-//! `tests/saves/laws`, and `carrom replay FILE` shows them.
+//! Laws that rarely apply, each tested with a complete game in which it does. The games are files
+//! in `tests/saves/laws`, and `carrom replay FILE` shows them.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 
-/// The games before and after the last move of a file, the laws that the referee cited for this
+/// The game before and after the last move of a file, the laws that the referee cited for this
 /// move, and the end of the board.
 fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
     let (saved, after) = SavedGame::read(name, bytes).unwrap();

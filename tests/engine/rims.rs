@@ -432,8 +432,9 @@ fn uniform(seed: &mut u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A random contact: masses up to 1:100, radii up to 1:4, the target moving or at rest, each disc
-/// with or without spin, e = 0 or from 0.05 to 1, μᵣ from 0 to 1.5, impact angles up to 89°.
+/// A random contact: mass ratios up to 1:100, radius ratios up to 1:4, the target moving or at
+/// rest, each disc with or without spin, e = 0 or from 0.05 to 1, μᵣ from 0 to 1.5, impact angles
+/// up to 89°.
 fn random_contact(seed: &mut u64) -> Collision {
     let mut from = |low: f64, high: f64| low + (high - low) * uniform(seed);
     let striker = disc(10_f64.powf(from(0.0, 2.0)), from(10.0, 40.0));

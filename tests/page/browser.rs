@@ -33,7 +33,7 @@ pub(crate) fn named_page() -> Option<String> {
     Some(format!("file://{}", path.display()))
 }
 
-/// Records the time of each frame from now on in `frameTimes`.
+/// From now on, records the time of each frame in `frameTimes`.
 pub(crate) const TIME_FRAMES: &str = "
     window.frameTimes = [];
     const request = window.requestAnimationFrame.bind(window);

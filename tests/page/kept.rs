@@ -433,7 +433,7 @@ fn wait_for_told(chromium: &mut Chromium, told: u64) {
 }
 
 /// While `window.faulty` is set, the program fails to report its changes. The script counts the
-/// requests for changes and the uncaught errors.
+/// requests for these changes and the uncaught errors.
 const FAULTY: &str = "window.faulty = true; window.asked = 0; window.uncaught = 0;
     addEventListener('unhandledrejection', () => (window.uncaught += 1));
     addEventListener('error', () => (window.uncaught += 1));

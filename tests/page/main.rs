@@ -1,6 +1,6 @@
 //! The page in real browsers: `target/carrom.html`, opened as a file. `CARROM_TEST_PAGE` is the
 //! path of the page. Each test that needs the page is ignored unless `-- --include-ignored` is
-//! given, and then fails if there is no page or no browser.
+//! given; with this option, it fails if there is no page or no browser.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

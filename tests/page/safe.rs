@@ -28,7 +28,7 @@ fn no_network_request_is_sent() {
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
         assert_eq!(asked, std::slice::from_ref(&page), "{place}");
     }
-    // A request that is sent must appear in the log, otherwise the assertion above would prove
+    // A request that is sent must appear in the log; otherwise the assertion above would prove
     // nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
     thread::sleep(Duration::from_millis(300));

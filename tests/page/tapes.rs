@@ -15,7 +15,7 @@ use crate::browser::{Browser, page, wait_until_ready};
 use crate::chromium::Chromium;
 use crate::firefox::Firefox;
 
-/// Runs the commands one after the other. For each screen painted it returns the letters of its
+/// Runs the commands one after the other. For each screen painted, returns the letters of its
 /// cells, its blocks, and the text of the elements that the page makes from these blocks.
 const PLAY: &str = "
     const screens = [];

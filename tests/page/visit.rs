@@ -1,7 +1,7 @@
-//! All main tasks in carrom, from joining a class to playing a stroke: by touch alone on phones and
-//! a tablet, in windows reduced by the browser's bars, and by keyboard alone on a computer, also at
-//! 200 % zoom. `CARROM_TEST_SHOTS` is a folder for screenshots of every step, for people to look
-//! at, and for the text that a screen reader gets.
+//! All the main tasks in carrom, from joining a class to playing a stroke: by touch alone on phones
+//! and a tablet, in windows reduced by the browser's bars, and by keyboard alone on a computer,
+//! also at 200 % zoom. `CARROM_TEST_SHOTS` is a folder that receives screenshots of every step, for
+//! people to look at, and the text that a screen reader gets.
 
 use std::path::Path;
 use std::{env, fs};

@@ -41,7 +41,8 @@ fn names(folder: &Folder) -> Vec<String> {
 fn the_glossary_is_printed_completely_or_by_term() {
     let all = out(&carrom(&["glossary", "--charset", "unicode"]));
     assert!(all.contains("impact angle, α, in °\n"), "{all}");
-    // A whole term or symbol selects only its own entry; other words, all terms that contain them.
+    // A whole term or symbol selects only its own entry; other words select all terms that contain
+    // them.
     let json = out(&carrom(&["glossary", "θ₁", "--json"]));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let entries = json["entries"].as_array().unwrap();

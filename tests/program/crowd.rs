@@ -289,8 +289,8 @@ fn play(questions: usize, devices: u8, bad: bool) {
     let mut acknowledged = Vec::new();
     let start = Instant::now();
     // After the waiting room, each question has six steps on devices, most of them with a text that
-    // their screens show. The last two have none, because they show the right answer, which differs
-    // from question to question.
+    // the devices then show. The last two steps have none, because the devices show the right
+    // answer, which differs from question to question.
     let steps = [
         ("describe", "Read it with the class"),
         ("first-vote", "Enter: next, "),
@@ -399,7 +399,8 @@ fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
 
 /// The number of devices that are voting when their host is killed.
 const VOTERS: usize = 12;
-/// A vote's number is sent as an angle in thousandths of a degree, because angles are limited.
+/// A vote's number is sent as an angle of that many thousandths of a degree, because angles are
+/// limited.
 const COUNTS_PER_DEGREE: f64 = 1000.0;
 
 /// The acknowledged votes: the last number of each device for each question and vote.

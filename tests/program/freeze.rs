@@ -107,7 +107,7 @@ fn the_screen_is_drawn_during_a_burst_of_keys_and_carrom_can_quit() {
         bytes.windows(8).filter(|it| it == b"\x1b[?2026h").count()
     };
     let before = pictures(&pty);
-    // The first frames are drawn while most of three megabytes is still unread.
+    // The first frames are drawn while most of the three megabytes of keys is still unread.
     for _ in 0..48 {
         pty.press(&"7\x7f".repeat(1 << 15));
     }

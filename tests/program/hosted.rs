@@ -188,7 +188,7 @@ fn nobody_gets_in_without_the_code() {
     let teacher = start(&folder);
     let codes = (0..20).map(|i| carrom::class::JoinCode::of(i).to_string());
     let typed = ["", "BCDFG", "😀😀😀😀😀😀", "' OR 1=1"].map(str::to_owned);
-    // They are tried at the same time, because the reply to a wrong code is delayed.
+    // The codes are tried at the same time, because the reply to a wrong code is delayed.
     let tries: Vec<_> = codes
         .chain(typed)
         .map(|code| {
@@ -497,8 +497,8 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
         let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o600, "only the teacher can read it");
     }
-    // Sending the same hand-in again creates no second file. One with more answers creates another
-    // file, and the first file stays unchanged.
+    // Sending the same hand-in again creates no second file. A hand-in with more answers creates
+    // another file, and the first file stays unchanged.
     ada.hand_in(&half.value().unwrap()).unwrap();
     assert_eq!(handed_in(&folder).len(), 1);
     let whole = hand_in(1, "Ada", 10, 4).value().unwrap();
@@ -532,7 +532,8 @@ fn an_invalid_hand_in_is_not_stored() {
         with(&|it| it["answers"][1]["credit"] = json!(1e9)),
         with(&|it| it["answers"] = json!([])),
     ] {
-        // A device of its own each, because a device has to wait between hand-ins.
+        // Each hand-in comes from a device of its own, because a device has to wait between
+        // hand-ins.
         let mut pupil = teacher.join("Al");
         assert_eq!(pupil.hand_in(&bad).unwrap(), json!({"Err": "format"}));
     }

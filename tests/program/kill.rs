@@ -97,7 +97,7 @@ fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
     for kill in 0..60 {
         let keys = if before > 0 { RESUME } else { TWO_PEOPLE };
         let player = start(folder.path(), kill, keys);
-        // Some processes are killed without waiting for a stroke.
+        // The test kills some processes without waiting for a stroke.
         let strokes = if kill % 10 == 9 {
             0
         } else {

@@ -312,7 +312,7 @@ fn stars_are_saved_only_for_the_player_who_won_them() {
     let app_of = |player| {
         let app = app(Route::Levels, player);
         let store = Store::in_folder(folder.path());
-        // The first screen sends its requests once it gets the size of the screen.
+        // The first screen sends its requests once it gets the size of the window.
         let mut game = Headless::keeping(app, 80, 24, store);
         game.press("<Escape>v");
         game

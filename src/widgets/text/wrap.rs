@@ -249,7 +249,7 @@ mod tests {
         assert_eq!(wrap("at 90 - 30 = 60", 10), ["at 90 - 30", "= 60"]);
         assert_eq!(wrap("n = (-sin α, 1)", 10), ["n", "= (-sin α,", "1)"]);
         assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
-        // These words are not units, or the lines are too short for both words.
+        // Here no unit follows a number, or the line is too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
     }

@@ -55,7 +55,7 @@ impl Rgb {
 
     /// Black or white, whichever is easier to read on top of this colour.
     pub(in crate::widgets) fn ink(self) -> Self {
-        // The luminance at which both contrasts are equal: √(1.05 × 0.05) − 0.05.
+        // The luminance at which black and white have the same contrast: √(1.05 × 0.05) − 0.05.
         if self.luminance() > 0.179 {
             Self::hex(0x000000)
         } else {

@@ -2,9 +2,9 @@
 //!
 //! A picture specifies what a thing *is*, its [`Role`]; only the [`Theme`] knows how a role looks
 //! in the player's [`Palette`] and with the colours of the terminal ([`Depth`]). The colours are
-//! based on Okabe and Ito's set ("Color Universal Design", 2008), which can be distinguished with
-//! the common kinds of colour blindness. A colour never carries meaning alone: a letter, a line
-//! style or a weight always repeats it.
+//! based on Okabe and Ito's set ("Color Universal Design", 2008), which people with the common
+//! kinds of colour blindness can distinguish. A colour never carries meaning alone: a letter, a
+//! line style or a weight always repeats it.
 //!
 //! The eye should find the collision first, so contrast decreases from the velocities of the two
 //! discs, through the line of impact and the arcs, to the lines of the board and the frames.
