@@ -24,11 +24,30 @@ fn main() {
 
     // Each scene has a name, a screen, the keys that start a motion there (as a terminal sends
     // them, then by their names) and the number of seconds recorded; 0 means scrolling down a list.
-    let scenes = [
-        ("break", "table", "\r ", "<Enter><Space>", 3.0),
-        ("lab", "lab", "\r60\r30\r", "<Enter>60<Enter>30<Enter>", 2.0),
-        ("foil", "foil", "\t\re\r", "<Tab><Enter>e<Enter>", 2.0),
-        ("scroll", "levels", "", "<Down>", 0.0),
+    let scenes: [(_, _, &[&str], _, _); 4] = [
+        // The strike key has no effect until another key is pressed.
+        (
+            "break",
+            "table",
+            &["\r", "\x1b[C", " "],
+            "<Enter><Right><Space>",
+            3.0,
+        ),
+        (
+            "lab",
+            "lab",
+            &["\r", "60", "\r", "30", "\r"],
+            "<Enter>60<Enter>30<Enter>",
+            2.0,
+        ),
+        (
+            "foil",
+            "foil",
+            &["\t", "\r", "e", "\r"],
+            "<Tab><Enter>e<Enter>",
+            2.0,
+        ),
+        ("scroll", "levels", &[], "<Down>", 0.0),
     ];
     let sets = [
         ("unicode", "--charset unicode --blocks quadrants"),
@@ -45,8 +64,8 @@ fn main() {
                 pty.wait_for("? help");
                 pty.resize(columns, rows);
                 thread::sleep(Duration::from_millis(300));
-                for key in keys.chars() {
-                    pty.press(&key.to_string());
+                for key in keys {
+                    pty.press(key);
                     thread::sleep(Duration::from_millis(100));
                 }
                 let before = pty.bytes().len();
