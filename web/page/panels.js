@@ -121,7 +121,8 @@ const panels = (() => {
     node.addEventListener("click", (event) => event.detail === 0 && step());
   }
 
-  // Whether a finger was lifted on a button. If so, the browser sends no click afterwards.
+  // Whether a finger was on a button when it was lifted. If so, the browser sends no click
+  // afterwards.
   function isLifted(node, event) {
     const { clientX, clientY } = event.changedTouches[0];
     const isOn = node.contains(document.elementFromPoint(clientX, clientY));
