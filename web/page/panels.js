@@ -573,7 +573,7 @@ const panels = (() => {
   addEventListener("pointerdown", ({ pointerType }) => (isTouched = pointerType === "touch"), true);
   addEventListener("keydown", () => (isTouched = false), true);
 
-  // If a pressed key is offered again by a prompt, such as for the rest of a hint, the prompt is
+  // If a prompt offers a pressed key again, such as the key for the rest of a hint, the prompt is
   // scrolled into view with the words above it.
   const seek = (key) => (sought = /^(Enter|Space)$/.test(key) ? null : key);
   let sought = null;
