@@ -73,7 +73,7 @@ pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
 
-/// Whether two names are those of the same class. Case is ignored, as in `carrom gather --class`.
+/// Whether two names refer to the same class. Case is ignored, as in `carrom gather --class`.
 pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
     folded(&tidy(one)) == folded(&tidy(other))
 }

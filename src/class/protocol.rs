@@ -3,10 +3,10 @@
 //! Every message from the host, except a refusal, is the pupil's whole state, so voting, joining
 //! late, reconnecting and going back a question all work the same way. A device shows the latest
 //! state. `n` is a number that a device increments with each vote and receives back with its state:
-//! a state whose `n` is at least as large confirms that the host has handled the vote. The vote
-//! counts, and the host has tried to save it, unless no such vote was open or, with `misfit`, it
-//! does not fit the question. `rev` counts the states of one connection. A pupil can also hand in
-//! the answers that they gave while playing alone: the file has its own `n`, which comes back in
+//! a state whose `n` is at least that of a vote confirms that the host has handled the vote. The
+//! vote counts, and the host has tried to save it, unless no such vote was open or, with `misfit`,
+//! it does not fit the question. `rev` counts the states of one connection. A pupil can also hand
+//! in the answers that they gave while playing alone: the file has its own `n`, which comes back in
 //! `handed` once the file is on the host's disk, or with the reason why it is not.
 //!
 //! ```text

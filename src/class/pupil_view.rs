@@ -20,7 +20,7 @@ pub(super) struct PupilView<'r> {
 }
 
 impl<'r> PupilView<'r> {
-    /// The common state at a step; `with_points` questions have points so far.
+    /// The common state at a step; `with_points` is the number of questions with points so far.
     pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
         let number = round.place().question;
         let question = round.questions().get(number);

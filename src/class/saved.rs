@@ -222,7 +222,7 @@ impl ClassRound {
             fields.tables(name, 0..=usize::MAX, &["change"])
         })?;
         for then in then {
-            // A crash may leave a table without its line.
+            // A crash may leave a table without its `change` line.
             let line = then.or("change", None, |name| then.text_as(name, Ok).map(Some))?;
             if let Some(line) = line
                 && let Err(message) =

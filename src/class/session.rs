@@ -69,7 +69,7 @@ pub enum HostingState {
 /// The changes that are being saved, and the connections that wait for them.
 #[derive(Debug, Clone, Default)]
 struct Keeping {
-    /// Changes that no request to save includes yet, and the connections they came from.
+    /// Changes that are not yet in a request to save, and the connections they came from.
     changes: Vec<ClassChange>,
     later: BTreeSet<ConnectionId>,
     /// The number of requests in progress, and the connections to notify when they are done.

@@ -67,7 +67,7 @@ impl ClassRound {
     }
 }
 
-/// The sort key of choices: for rays the size of the target's angle, then of the striker's.
+/// The sort key of choices: for rays the size of the target's angle, then that of the striker's.
 fn size(said: &Response) -> [f64; 2] {
     match said {
         Response::Rays(rays) => {

@@ -63,7 +63,7 @@ pub(super) struct GatherArgs {
     #[arg(long, value_name = "FILE")]
     #[arg(value_parser = |path: &str| named_file(path, ["html", "csv"]))]
     out: NamedFile,
-    /// Only the files of this class, by its name in the files
+    /// Only the files of this class, as named in the files
     #[arg(long, value_name = "NAME")]
     class: Option<String>,
     /// A list of the pupils, one name per line, to report who has handed in nothing

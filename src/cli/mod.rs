@@ -215,7 +215,7 @@ enum OpenCommand {
     },
 }
 
-/// Reads a hit for the lab; a colon is accepted too, as in links.
+/// Reads a hit for the lab; a colon is accepted in place of `=`, as in links.
 fn read_hit(text: &str) -> Result<CollisionSpec, String> {
     let read = CollisionSpec::from_link(&text.replace('=', ":"));
     read.map_err(|expected| match expected.contains("expected") {

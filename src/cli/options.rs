@@ -142,7 +142,8 @@ impl GlobalOptions {
     }
 
     /// The settings that these options give. An option that is missing or `auto` keeps the setting
-    /// from earlier runs; if there is none, `auto` gives the charset and the colours.
+    /// from earlier runs; if there is none, the charset and the colours are those in the
+    /// argument `auto`.
     pub(super) fn settings(&self, auto: Auto, kept: &KeptSettings) -> Settings {
         let found = kept.over(Settings {
             charset: auto.charset,

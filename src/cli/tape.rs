@@ -13,8 +13,8 @@ use crate::store::Store;
 /// Play a script without a terminal, on simulated time
 ///
 /// Each line is one instruction; # starts a comment. Without --data-dir, the same tape
-/// always gives the same screens, byte for byte. If an instruction fails, the run stops with
-/// its line number and writes no screenshot.
+/// always gives the same screens, byte for byte. If an instruction fails, the run stops,
+/// reports the line number and writes no screenshot.
 #[derive(Debug, clap::Args)]
 #[command(after_help = INSTRUCTIONS)]
 pub(super) struct Args {

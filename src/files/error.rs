@@ -123,7 +123,7 @@ impl fmt::Display for FileErrors {
     }
 }
 
-/// A message of one or more lines that may quote anything, without control characters, to print
+/// A message that may quote anything, on one or more lines and without control characters, to print
 /// outside the game's screen.
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));

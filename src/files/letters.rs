@@ -6,8 +6,8 @@ use unicode_width::UnicodeWidthChar;
 /// The maximum number of zero-width marks, such as accents, on one letter of a name.
 const MOST_UPON: usize = 2;
 
-/// Whether a character is invisible: control characters, marks that change the direction of the
-/// following text, zero-width spaces, and noncharacters such as U+FFFE.
+/// Whether a character is invisible: a control character, a mark that changes the direction of the
+/// following text, a zero-width space, or a noncharacter such as U+FFFE.
 pub fn is_invisible(letter: char) -> bool {
     letter.is_control()
         || matches!(letter,
@@ -59,7 +59,7 @@ pub(crate) fn percent_encoded(path: &[u8]) -> String {
 pub(crate) const NO_NAME: &str = "No name";
 
 /// Whether a character is blank although Unicode classifies it as a letter, a symbol or an accent:
-/// fillers, empty patterns, unwritten vowels.
+/// a filler, an empty pattern or an unwritten vowel.
 fn is_blank(letter: char) -> bool {
     matches!(letter,
         '\u{034f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'

@@ -3,8 +3,8 @@
 use super::Attempt;
 use crate::quiz::{ChaptersRead, Clue, CourseKind, Evidence, Misconception, Passage, Topic};
 
-/// A misconception is settled once this many answers after the last one that showed it could have
-/// shown it but did not.
+/// A misconception is settled once this many answers could have shown it but did not, counted after
+/// the last answer that showed it.
 const SETTLED: usize = 2;
 
 /// A misconception that the answers show, with the evidence from the first half and from the second

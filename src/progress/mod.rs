@@ -2,7 +2,7 @@
 //!
 //! An [`Attempt`] is one answer with everything known about it. Each [`Observation`] and each
 //! [`NotedHit`] is stored as well. The conclusions are derived from the attempts of a player, in
-//! order, and are never stored: a [`Tally`] of any of them, the state of each topic, how well
+//! order, and are never stored: a [`Tally`] of any attempts, the state of each topic, how well
 //! [`Confidence`](crate::quiz::Confidence) matches the answers, misconceptions and whether they
 //! fade, and what is [`Due`] for review.
 

@@ -109,8 +109,8 @@ fn question_about(collision: &Collision) -> Option<Question> {
     is_hit.then(|| Question::from(&Hit::from(collision)))
 }
 
-/// The predicted and the true direction of one disc: two angles or, if the disc is at rest in
-/// either case and so has no angle, both in words.
+/// The predicted and the true direction of one disc: two angles, or both in words if the disc is at
+/// rest in the prediction or in reality and so has no angle there.
 fn one_ray(ray: Ray, said_and_true: [Option<f64>; 2]) -> [Figures; 2] {
     let kept: [Value; 2] = match said_and_true {
         [Some(said), Some(truth)] => {

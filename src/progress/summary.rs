@@ -271,7 +271,7 @@ mod tests {
         direction_deg: 0.0,
     };
 
-    /// A summary of answers, each with its confidence, that are right (`true`) or wrong.
+    /// A summary of answers, given the confidence of each and whether it is right.
     fn summary(answers: &[(Confidence, bool)]) -> Summary<'static> {
         let (code, question) = (Code::hits(7), Question::from(&HIT));
         let attempt = |(number, (confidence, right)): (u32, &(Confidence, bool))| {

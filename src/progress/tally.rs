@@ -8,8 +8,8 @@ use crate::quiz::Grade;
 /// The minimum number of angles for which a mean error is given.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
-/// The counts for a set of answers: those of one player, those of a class to one question, or those
-/// in one round.
+/// The counts for a set of answers: one player's answers, a class's answers to one question, or the
+/// answers in one round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tally {
     /// The number of answers.
@@ -17,7 +17,7 @@ pub struct Tally {
     /// The number of right answers.
     pub right: usize,
     credit: f64,
-    /// The number of angles, the sum of their errors in degrees, and the sum of the squares.
+    /// The number of angles, the sum of their errors in degrees, and the sum of the squared errors.
     errors: (usize, [f64; 2]),
 }
 
@@ -119,7 +119,7 @@ pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(us
     (0..errors.len()).map(smoothed).collect()
 }
 
-/// The number of angles that [`ends_deg`] compares at each end.
+/// The number of angles in each of the two groups that [`ends_deg`] compares.
 const ENDS: usize = 10;
 
 /// The mean error, in degrees, of the first ten angles and that of the last ten; `None` if the two

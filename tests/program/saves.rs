@@ -572,7 +572,7 @@ fn many_games_saved_at_once_do_not_harm_each_other() {
     assert_eq!(leftovers(folder.path()), Vec::<String>::new());
 }
 
-/// Files other than games and the lock in the folder for games.
+/// The files in the folder for games, except the games and the lock.
 fn leftovers(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder.join("games")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());

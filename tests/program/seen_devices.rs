@@ -1,4 +1,4 @@
-//! Devices whose screens the test reads: carrom in a terminal, the page in Chromium.
+//! Devices whose screens the test reads: carrom in a terminal, and the page in Chromium.
 
 use std::time::{Duration, Instant};
 
@@ -75,7 +75,7 @@ impl SeenDevice for Chromium {
     }
 }
 
-/// The page of a host in Chromium, after joining.
+/// A host's page in Chromium, after a pupil with this name has joined.
 pub(crate) fn browser(port: u16, code: &str, name: &str) -> Chromium {
     let mut chromium = Chromium::start((1000, 700), false);
     chromium.open(&format!("http://127.0.0.1:{port}/#code={code}"));

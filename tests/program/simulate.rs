@@ -7,8 +7,8 @@ use serde_json::Value;
 
 const G: f64 = 9.80665;
 
-/// A file of format 1 as the first version wrote it. It must always be readable, so it must never
-/// be changed.
+/// A file of format 1 as the first version wrote it. Every version must be able to read it, so it
+/// must never be changed.
 const PINNED: &str = r#"
 format = 1
 [board]                     # all optional; these are the defaults

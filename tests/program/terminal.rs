@@ -241,7 +241,7 @@ fn frames_are_synchronized_and_at_most_sixty_per_second() {
         (1.0..most).contains(&(drawn as f64)),
         "{drawn} frames, at most {most}"
     );
-    // The guard writes one extra end of a frame, in case a frame was in progress.
+    // The guard writes the code that ends a frame once more, in case a frame was in progress.
     assert_eq!(pictures(&pty) + 1, count(&pty, "\x1b[?2026l"));
 }
 

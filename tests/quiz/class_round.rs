@@ -316,8 +316,8 @@ fn a_round_with_any_history_is_read_back_as_it_was_written() {
     assert!(done > 1000, "{done} changes");
 }
 
-/// Names without a visible letter were once allowed; files that contain them still open, and the
-/// people get different names.
+/// Names without a visible letter were once allowed; files that contain them can still be opened,
+/// and the people get other names.
 #[test]
 fn invisible_names_are_refused_but_files_that_contain_them_open() {
     for name in [

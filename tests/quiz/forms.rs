@@ -2,8 +2,8 @@
 
 use carrom::quiz::{Code, Form, Rays, Response, Round};
 
-/// The forms of many rounds, each with realistic answers: the right answer, and the answers to
-/// which misconceptions lead.
+/// The forms of many rounds, each with realistic answers: the right answer, and the answers
+/// that misconceptions lead to.
 fn asked() -> Vec<(Form, Vec<Response>)> {
     let codes = (1..=60)
         .flat_map(|seed| ["mixed", "concept", "quick"].map(|course| format!("{course}-{seed}")));

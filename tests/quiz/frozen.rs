@@ -3,7 +3,7 @@
 //! The draws are a format: a code must give the same round in every version. One hash per family
 //! covers everything except the texts: figures, the right answer, the order of the choices and the
 //! answers of misconceptions. None of these hashes may ever change. Misconceptions are counted as
-//! existing codes count them, because a misconception that was split keeps its draws. If
+//! existing codes count them, because splitting a misconception does not change the draws. If
 //! `CARROM_QUESTIONS` is set to a folder, the hashed data are written there, one JSON object per
 //! line and one file per family, so that two versions can be compared.
 //!
@@ -194,8 +194,8 @@ fn a_seed_always_gives_the_same_question() {
     insta::assert_snapshot!("families", families(500));
 }
 
-/// The same test with four times as many seeds, to be run after changes to the drawing of
-/// questions.
+/// The same test with four times as many seeds, to be run after changes to how questions
+/// are drawn at random.
 #[test]
 #[ignore = "takes as long as all other tests of the quiz; CI runs it"]
 fn two_thousand_seeds_always_give_the_same_questions() {

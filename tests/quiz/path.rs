@@ -31,7 +31,7 @@ struct Somebody {
 }
 
 impl Somebody {
-    /// Answers the round of a code like a student who holds this misconception, if there is one.
+    /// Answers the round of a code like a student who holds this misconception, if one is given.
     /// The other questions are all answered right or all answered wrong.
     fn answers(&mut self, code: &str, holding: Option<Misconception>, right: bool) {
         let round = Round::of(Code::parse(code).unwrap());

@@ -732,7 +732,7 @@ fn a_class_of_32_pupils_votes_with_cards_by_keys_alone() {
             "{row:?}"
         );
     }
-    // The misconceptions are counted over all votes, because nobody knows whose they were.
+    // The misconceptions are counted over all votes, because nobody knows who cast which vote.
     game.press("<Enter><Enter>");
     let screen = game.screen();
     assert!(

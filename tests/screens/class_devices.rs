@@ -660,7 +660,7 @@ fn a_round_that_nobody_joined_leaves_no_file() {
     drop(class);
 }
 
-/// The list used to show only the code and the first names.
+/// The list used to show only the code and the names of the first pupils.
 #[test]
 fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
     let folder = Folder::new("class-earlier");

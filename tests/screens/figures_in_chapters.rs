@@ -21,7 +21,7 @@ use glam::DVec2;
 struct Claim {
     /// The number of the chapter.
     chapter: usize,
-    /// The text around the number, which is in square brackets.
+    /// The text around the number, with the number in square brackets.
     words: &'static str,
     /// The computed value.
     is: f64,
@@ -464,7 +464,7 @@ fn claims() -> Vec<Claim> {
     // The height, in centimetres, that a body reaches if it starts upwards at this speed.
     let height = |v: f64| 100.0 * v * v / (2.0 * 9.80665);
     claim(14, "is [20.4] cm. If you", height(20.0 * 10.0 / 100.0));
-    // With all of the energy, ½ m u² = (m + M) g h: h is m/(m + M) of the height for the speed u.
+    // If no energy were lost, ½ m u² = (m + M) g h: h is m/(m + M) of the height for the speed u.
     claim(
         14,
         "you get [204] cm, ten times as much.",

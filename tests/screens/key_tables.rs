@@ -338,7 +338,7 @@ fn a_rebound_key_works_and_is_shown_wherever_its_row_is() {
             if moment.takes_any && matches!(old, Key::Char(_)) {
                 continue;
             }
-            // A key that no other row has replaces the first key of the row.
+            // The first key of the row is replaced by a key that no other row has.
             let keys = std::iter::once(Key::F(9)).chain(row.keys().skip(1));
             let keys = Rebound::from([(id.to_owned(), keys.collect())]);
             let mut rebound = moment.game();

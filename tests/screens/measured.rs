@@ -24,7 +24,7 @@ const FILMS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The screen after a file has been opened as on the web page: without masses, radii and scale.
+/// The screen after a file has been opened as on the web page: without masses, radii or scale.
 fn opened(folder: &Folder, film: usize, size: (u16, u16), charset: Charset) -> Headless {
     let (name, text) = FILMS[film];
     let reading = Reading {

@@ -85,7 +85,7 @@ impl Keyed {
         })
     }
 
-    /// The keys, starting from a strength of `tenths`.
+    /// The keys to press if the strength is `tenths` at first.
     fn keys(self, tenths: i32, seat: Seat) -> String {
         let times = |key: &str, other: &str, count: i32| {
             let key = if count < 0 { other } else { key };
@@ -222,7 +222,7 @@ fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
         Charset::Ascii => (["o", "@", "Q"], "++"),
         Charset::Unicode => (["○W", "●B", "Q"], "╮╭"),
     };
-    // Without the title, the keys and the panel beside the board.
+    // Leave out the title, the keys and the panel beside the board.
     let frame = screen.lines().nth(1).unwrap();
     let columns = frame.split_once(corners).unwrap().0.chars().count();
     let rows = screen.lines().filter(|row| row.starts_with(['|', '│']));

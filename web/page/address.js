@@ -96,7 +96,7 @@ const address = (() => {
       return show(told);
     }
     if (state.index > before) return reopen();
-    // A round asks for confirmation before it is left; until then its entry is pushed again.
+    // A round asks for confirmation before it is left; in the meantime its entry is pushed again.
     back();
     show(told);
   }

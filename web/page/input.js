@@ -216,7 +216,7 @@ const input = (() => {
     fade();
   }
 
-  // A button for a key, with what the key does below or beside its name.
+  // A button for a key; what the key does is shown below or beside its name.
   function button(name, label, help, below = "") {
     const node = panels.make("button", "", label);
     node.type = "button";

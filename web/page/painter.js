@@ -191,7 +191,7 @@ const painter = (() => {
     if (name === "circle") {
       if (filled) disc = of.fill;
       if (filled && stroked) {
-        // A rim is drawn as a larger disc below the disc: filling is faster than stroking.
+        // A rim is drawn as a larger disc behind the disc: filling is faster than stroking.
         pen.fillStyle = of.stroke;
         circle(number("r") + wide / 2);
         pen.fill();

@@ -121,7 +121,8 @@ const panels = (() => {
     node.addEventListener("click", (event) => event.detail === 0 && step());
   }
 
-  // Whether a finger was lifted on a button. If so, the browser sends no click afterwards.
+  // Whether a finger was on a button when it was lifted. If so, the browser sends no click
+  // afterwards.
   function isLifted(node, event) {
     const { clientX, clientY } = event.changedTouches[0];
     const isOn = node.contains(document.elementFromPoint(clientX, clientY));
@@ -572,7 +573,7 @@ const panels = (() => {
   addEventListener("pointerdown", ({ pointerType }) => (isTouched = pointerType === "touch"), true);
   addEventListener("keydown", () => (isTouched = false), true);
 
-  // If a pressed key is offered again by a prompt, such as for the rest of a hint, the prompt is
+  // If a prompt offers a pressed key again, such as the key for the rest of a hint, the prompt is
   // scrolled into view with the words above it.
   const seek = (key) => (sought = /^(Enter|Space)$/.test(key) ? null : key);
   let sought = null;

@@ -11,8 +11,8 @@ const program = (() => {
     crypto.getRandomValues(memory(at, length));
     return length;
   };
-  // The functions that SQLite needs from its host. `random` returns the number of bytes; otherwise
-  // 0 means "done" and 1 "not supported".
+  // The functions that SQLite needs from its host. `random` returns the number of bytes; from the
+  // other functions 0 means "done" and 1 "not supported".
   const host = {
     rust_sqlite_wasm_host_sleep() {},
     rust_sqlite_wasm_host_random: random,

@@ -20,7 +20,7 @@ use answer::SolveAnswer;
 pub(super) use args::Args;
 use batch::BatchError;
 
-/// The size of the output buffer in bytes, which has room for more than a hundred answers.
+/// The size in bytes of the output buffer, which has room for more than a hundred answers.
 const BUFFER: usize = 1 << 16;
 
 /// Solves the problem in the arguments, or a batch. A reader that stops early, as `head` does,

@@ -139,7 +139,7 @@ impl Problem {
         (usual, assumed)
     }
 
-    /// Whether the radii matter although the discs do not stick: a disc spins or may be set
+    /// Whether the radii matter even if the discs do not stick: a disc spins or may be set
     /// spinning.
     fn turns(&self) -> bool {
         let numbers = [self.rim_friction, self.spin1, self.spin2];

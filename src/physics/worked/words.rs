@@ -142,7 +142,7 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     format!("{parted}: {}.", reason(c, separation))
 }
 
-/// Why the angle between the paths has this size if the target was at rest.
+/// Why the angle between the paths has this size, in a frame in which the target was at rest.
 fn reason(c: &Collision, separation: f64) -> String {
     let off = separation.to_degrees() - 90.0;
     let elastic = c.restitution >= 1.0;

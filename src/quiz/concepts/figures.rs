@@ -1,4 +1,4 @@
-//! Replaces the placeholders in a text by figures calculated from the question's own hit.
+//! Replaces the placeholders in a text with figures calculated from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
@@ -13,8 +13,8 @@ const PERCENT_DECIMALS: usize = 1;
 /// brace turns a fraction into a percentage.
 ///
 /// # Errors
-/// Returns a message that says what was expected if a name or a field is unknown or a figure is
-/// undefined.
+/// If a name or a field is unknown or a figure is undefined, returns a message that says what was
+/// expected.
 pub(super) fn fill(text: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;
@@ -65,8 +65,8 @@ fn figure(asked: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     })
 }
 
-/// A quantity of the hit after setting these fields, and the number of decimal places to which
-/// the quantity is printed.
+/// A quantity of the hit with these fields set, and the number of decimal places to which the
+/// quantity is printed.
 fn of_hit(
     name: &str,
     fields: &[(&str, &str)],

@@ -51,7 +51,7 @@ pub struct Concept {
     pub wrongs: Vec<Wrong>,
     /// The explanation of the right choice, which is shown after every answer.
     pub why: String,
-    /// Whether the choices have a natural order, such as less, the same, more, and so must not be
+    /// Whether the choices have a natural order (such as less, the same, more) and so must not be
     /// shuffled.
     pub ordered: bool,
     /// The hit that is shown beside the question and can be watched after the question has been
@@ -71,7 +71,7 @@ pub struct Concept {
 pub struct Wrong {
     /// The text of the choice.
     pub choice: String,
-    /// The misconception that leads to it, if there is one.
+    /// The misconception that leads to this choice, if there is one.
     pub misconception: Option<Misconception>,
     /// The feedback for this choice, which starts from the idea behind it.
     pub says: String,
@@ -123,7 +123,7 @@ impl Topic {
     /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // A topic that has only `Ideas` keeps this family: no older code is about the topic.
+        // A topic whose only family is `Ideas` keeps it: no older code is about such a topic.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }

@@ -50,7 +50,7 @@ impl MovingPair {
     }
 
     /// The collision; `None` if the discs do not approach each other, or if the collision is too
-    /// close to a graze or to head-on to be drawn clearly.
+    /// close to a graze or to a head-on collision to be drawn clearly.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))

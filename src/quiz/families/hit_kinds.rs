@@ -161,9 +161,9 @@ fn same_hit(a: &Hit, b: &Hit) -> bool {
         && close(a.alpha().abs(), b.alpha().abs())
 }
 
-/// Whether a hit can be used: it must be either head-on, or far enough from both head-on and a
-/// graze to be drawn clearly. It must not be at 45°, where "half and half" and a copied angle give
-/// the same answer, which for equal masses without loss is even right.
+/// Whether a hit can be used: it must be either head-on, or far enough from a head-on hit and from
+/// a graze to be drawn clearly. It must not be at 45°, where "half and half" and a copied angle
+/// give the same answer (for equal masses without loss, even the right one).
 fn within_reason(hit: &Hit) -> bool {
     let alpha_deg = deg_from_rad(hit.alpha());
     let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
@@ -181,7 +181,7 @@ fn clearance(hit: &Hit) -> f64 {
     nearest(&rays, Rays::gap)
 }
 
-/// Whether the printed angles add up exactly to the printed separation.
+/// Whether the two printed angles add up exactly to the printed angle between the paths.
 fn adds_up(hit: &Hit) -> bool {
     let outcome = hit.outcome();
     match (outcome.theta1, outcome.theta2, outcome.separation) {

@@ -42,7 +42,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses: at the greatest deflection if [`turned`] finds one, otherwise at 30°.
+/// A hit with these masses, at the impact angle of the greatest deflection if [`turned`] finds one,
+/// otherwise at an impact angle of 30°.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,

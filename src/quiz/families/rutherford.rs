@@ -83,7 +83,7 @@ fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     )
 }
 
-/// Asks for a ratio that is a whole number, with choices.
+/// Asks, with choices, for a ratio that is a whole number.
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));

@@ -77,7 +77,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// Asks how the two discs move after the collision, with choices, for equal masses.
+/// Asks, with choices, how two discs of equal mass move after the collision.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The choices, the first three in the order of [`RimKind`].
     const WAYS: [&str; 4] = [

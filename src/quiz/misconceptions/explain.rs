@@ -116,7 +116,7 @@ const WRONG_SIDE: &str = " on the wrong side";
 fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
     match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
-            // A ray straight ahead or straight back is on neither side of that direction.
+            // A ray straight ahead or straight back is on neither side of the original direction.
             let has_side = tenths(true_angle.abs()) % 1800 != 0;
             let error = degrees(error);
             if has_side && said * true_angle < 0.0 {

@@ -10,8 +10,8 @@ const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 ///
 /// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
 /// state and with a fixed stream. The library's `seed_from_u64` and its random ranges are not
-/// used, because they may change: a choice among n is the upper half of the product of n and the
-/// generator's next 32 bits.
+/// used, because they may change; instead, a choice among n is the upper half of the product of n
+/// and the generator's next 32 bits.
 pub struct Dice(Pcg32);
 
 impl Dice {

@@ -85,8 +85,8 @@ impl AimTask {
 impl Form {
     /// Whether an answer is of the kind that the form requires, and is in range.
     ///
-    /// Answers come from devices, files and databases that anybody can change. Each is checked here
-    /// before it is used, so that later code can rely on it.
+    /// Answers come from devices, files and databases that anybody can change. Each answer is
+    /// checked here before it is used, so that later code can rely on it.
     pub fn accepts(&self, said: &Response) -> bool {
         match (self, said) {
             (Self::Rays { .. }, Response::Rays(rays)) => rays.are_in_range(),

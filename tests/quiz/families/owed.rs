@@ -271,8 +271,8 @@ fn assert_words(question: &Question) {
         }
         Form::Rays { .. } | Form::Shot(_) => {}
     }
-    // Questions in words, about the separation and about both directions have longer explanations;
-    // a small panel scrolls.
+    // Questions in words, questions about the separation and questions about both directions have
+    // longer explanations; a small panel scrolls.
     let longest = match question.family {
         Family::Concept | Family::Ideas => 14,
         Family::Separation => 13,
