@@ -1,8 +1,8 @@
 //! How quantities are printed: decimals, significant figures, units and signs.
 //!
 //! Functions that print a quantity write a hyphen for a minus sign, as files and programs require.
-//! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other
-//! hyphens before numbers with minus signs.
+//! Text in formulas passes through [`true_minus`], and elsewhere the Unicode screen replaces the
+//! hyphens that mean minus; ranges, names and dates keep theirs.
 
 use std::fmt;
 

@@ -109,7 +109,7 @@ impl Addresses {
         self.of(address, now).has_one(now)
     }
 
-    /// Uses 1 of the allowance of an address.
+    /// Uses up 1 of an address's allowance.
     pub(super) fn take(&mut self, address: IpAddr, now: Duration) {
         self.of(address, now).take(1.0, now);
     }

@@ -67,8 +67,8 @@ impl Score {
     /// The winner of the current game, if there is one.
     ///
     /// In a tournament it is the team that reaches 25 points or leads after the eighth board; extra
-    /// boards are played until a tie is broken (29). With other rules, and if only one board is
-    /// played, it is the winner of the board. Practice has no winner.
+    /// boards are played until a tie is broken (29). With other rules, or if only one board is
+    /// played, it is the team that wins the board. Practice has no winner.
     pub(crate) fn game_winner(&self, setup: &GameSetup) -> Option<Team> {
         let [first, second] = Team::BOTH.map(|team| self.points[team]);
         let decided = match (setup.rules, setup.length) {

@@ -41,7 +41,7 @@ impl Calibrated {
     }
 }
 
-/// The results for each confidence level, the least sure level first.
+/// The results for each confidence level, the lowest first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| {
         let is_so_sure = |it: &&Attempt| it.confidence == Some(confidence);
@@ -50,7 +50,7 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
-/// The fraction of right answers over time, for each confidence level, the least sure level first.
+/// The fraction of right answers over time, for each confidence level, the lowest first.
 /// Each point has the number of an answer with that level (counted from 1 among all attempts), and
 /// the fraction of right answers among the last `reach` answers with that level. The first point is
 /// at answer number [`ENOUGH`] with that level.

@@ -166,7 +166,7 @@ struct Figures {
     readable: usize,
     /// The number of these rows that are unchanged in the new files.
     saved: usize,
-    /// The number of rows in the new files that could not be found by their keys.
+    /// The number of rows in the new files whose keys could not be read in the damaged files.
     beyond: usize,
     /// The smallest share of rows saved from one database, 0 to 1.
     worst: f64,

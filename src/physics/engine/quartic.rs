@@ -101,7 +101,7 @@ mod tests {
         c.iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
 
-    /// The rounding error of the polynomial's value at x.
+    /// A bound on the rounding error of the polynomial's value at x.
     fn noise(c: &[f64; 5], x: f64) -> f64 {
         1e-14 * c.iter().rev().fold(0.0, |sum, c| sum * x + c.abs())
     }

@@ -209,8 +209,8 @@ impl Canvas {
                 && self.is_clear_of_labels((x, y), 1)
     }
 
-    /// Whether a label at this position is beside its own anchor rather than the anchor of another
-    /// label, so that it does not seem to belong to the other point.
+    /// Whether a label at this position is not much farther from its own anchor than from any other,
+    /// so that it does not seem to belong to another point.
     fn is_beside_own_anchor(&self, (x, y): (i32, i32), width: i32, own: (i32, i32)) -> bool {
         // The square of the distance in columns; a row is two columns high.
         let apart = |(column, row): (i32, i32)| {

@@ -1,4 +1,4 @@
-//! Forms with one setting per row: a number with a range and a step, a choice, or a text.
+//! Forms with one setting per row: a number with a range and a step, a choice, or text.
 
 use std::borrow::Cow;
 
@@ -68,7 +68,7 @@ pub(crate) enum FieldValue {
         /// The number of options.
         count: usize,
     },
-    /// A text to be typed, with its maximum number of letters.
+    /// Text to be typed, with its maximum number of letters.
     Text(usize),
 }
 

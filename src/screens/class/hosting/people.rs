@@ -60,7 +60,7 @@ fn number(session: &Session, name: &str) -> Option<usize> {
 }
 
 impl People {
-    /// The page in the current state of the session.
+    /// The page for the current state of the session.
     pub(super) fn new(session: &Session) -> Self {
         let mut people = Self::default();
         people.renew(session);

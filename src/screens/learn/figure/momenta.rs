@@ -67,8 +67,8 @@ fn of_both(collision: &Collision) -> [DVec2; 2] {
 type Arrow = (DVec2, DVec2, &'static str, Role);
 
 /// The arrows; the last one is hidden until the page's question is answered. For a body at rest that
-/// breaks into two pieces, both arrows begin at the same point, because tip to tail one would cover
-/// the other.
+/// breaks into two pieces, both arrows begin at the same point, because if they were drawn tip to
+/// tail, one would cover the other.
 fn arrows(kind: FigureKind, collision: &Collision) -> Vec<Arrow> {
     let [p1, p2] = of_both(collision);
     let (first, second, sum) = (Role::StrikerOut, Role::CoinOut, Role::Incoming);
