@@ -251,7 +251,7 @@ pub struct HandedIn {
 pub enum NotTaken {
     /// The file is not a valid hand-in, is from a newer version, or contains no answers.
     Format,
-    /// This pupil has handed in too often, or the class has handed in too much.
+    /// This pupil has made too many hand-ins, or those of the class are too large in all.
     TooMany,
     /// The hand-in could not be written.
     NotWritten,

@@ -50,7 +50,8 @@ impl Visit {
         }
     }
 
-    /// Asserts that nothing scrolls sideways or is illegible, and saves a screenshot.
+    /// Asserts that nothing scrolls sideways or is illegible; if `CARROM_TEST_SHOTS` names a folder,
+    /// also saves a screenshot and the text of the page there.
     fn look(&mut self, what: &str) {
         self.phone.wait();
         self.phone.assert_fits();

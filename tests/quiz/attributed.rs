@@ -1,5 +1,5 @@
-//! Feedback attributes to students only numbers that they entered or were given. Other numbers of a
-//! misconception follow "close to": "close to 45.0° each".
+//! Feedback attributes to students only numbers that they entered or were given. Other numbers, to
+//! which a misconception leads, follow "close to": "close to 45.0° each".
 
 use std::collections::BTreeMap;
 

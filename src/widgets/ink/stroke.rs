@@ -123,8 +123,8 @@ impl StrokeSamples {
         }
     }
 
-    /// Marks a point `at` of the stroke, in samples; a bold stroke covers the two nearest samples,
-    /// which are `half` a sample away on each side.
+    /// Marks the point `at` of the stroke, in samples; a bold stroke covers the two nearest samples,
+    /// at an offset of `half` to either side.
     fn hit(&mut self, at: DVec2, half: DVec2, pen: Pen) {
         let place = self.length;
         self.length += 1;
