@@ -6,6 +6,7 @@ use std::ops::Range;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use unicode_segmentation::UnicodeSegmentation;
 
 use super::pages::PlacedPages;
 use super::{Beside, Block, Content, Panel, TableColumn, TableRow, board};
@@ -461,8 +462,16 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
             label,
             typed: [before, after],
         } => {
-            let cursor = if chosen == Some(true) { "_" } else { "" };
-            let row = format!("{label:LABEL$}{before}{cursor}{after} ");
+            let is_chosen = chosen == Some(true);
+            let cursor = if is_chosen { "_" } else { "" };
+            let room = usize::from(lines.width()).saturating_sub(MARK + LABEL + 1);
+            // A long text is shown up to the cursor.
+            let seen = if is_chosen {
+                end_of(before, room)
+            } else {
+                before
+            };
+            let row = format!("{label:LABEL$}{seen}{cursor}{after} ");
             let row = marked(&Run::new(row, Role::Text), chosen);
             let name = label.trim_end().trim_end_matches(':');
             let words = |_| Words::text_field(name, &format!("{before}{after}"));
@@ -477,6 +486,12 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
         Content::Tabs { names, open } => write_tabs(names, *open, lines),
         Content::Grid { cells, chosen } => write_grid(cells, *chosen, lines),
     }
+}
+
+/// The longest end of a text that fits into this number of columns.
+fn end_of(text: &str, columns: usize) -> &str {
+    let mut ends = text.grapheme_indices(true).map(|(at, _)| &text[at..]);
+    ends.find(|end| text::width(end) <= columns).unwrap_or("")
 }
 
 /// Text, preceded by its mark if it is one of several items.
@@ -560,6 +575,8 @@ const BESIDE_GAUGE: u16 = 10;
 /// The width of a share such as `100 %`, in columns.
 const SHARE: usize = 5;
 
+/// The width of the mark of an item, including the space after it, in columns.
+const MARK: usize = 2;
 /// The width of a text field's label, including the space after it, in columns.
 const LABEL: usize = 8;
 
