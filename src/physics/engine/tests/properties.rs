@@ -136,6 +136,9 @@ fn assert_sound(table: &Table, board: &Board) {
     let shot = shot.unwrap_or_else(|error| panic!("{error}: {table:?} {board:?}"));
     assert!(shot.duration().is_finite());
     assert!(shot.events().is_sorted_by(|a, b| a.time <= b.time));
+    // The shot ends with its last event, even if a forecast made for a later time was outdated.
+    let last = shot.events().last().map_or(0.0, |event| event.time);
+    assert_eq!(shot.duration(), last);
     assert!(
         shot.final_states()
             .all(|end| end.state != DiscState::Moving)
