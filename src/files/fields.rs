@@ -257,7 +257,8 @@ impl<'a> Fields<'a> {
         expected: &str,
         read: impl FnOnce(Value<'a>) -> Option<T>,
     ) -> Option<T> {
-        debug_assert!(self.is_known(name), "{name} is not among the known fields");
+        #[cfg(test)]
+        assert!(self.is_known(name), "{name} is not among the known fields");
         match self.table.get(name) {
             Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
             // The message about the unknown field already suggests this field.

@@ -19,6 +19,8 @@ mod freeze;
 mod full_disk;
 mod gather;
 mod hosted;
+#[cfg(target_os = "linux")]
+mod idle;
 #[cfg(unix)]
 mod kill;
 mod measure;
@@ -46,6 +48,7 @@ mod start;
 mod terminal;
 #[cfg(target_os = "linux")]
 mod unsaved;
+mod waits;
 mod worksheet;
 mod written;
 

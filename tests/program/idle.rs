@@ -1,25 +1,15 @@
 //! An idle carrom uses no processor time.
-//!
-//! This is a separate test program, so that no other test runs at the same time: it measures
-//! hundredths of a second.
 
-#![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-#[allow(dead_code, reason = "this test uses only part of the module")]
-#[path = "common/pty.rs"]
-mod pty;
-
+use std::fs;
 use std::thread;
 use std::time::Duration;
 
-use pty::{Pty, carrom};
+use crate::pty::{Pty, carrom};
 
-#[test]
-fn an_idle_program_uses_no_processor_time() {
+pub(crate) fn an_idle_program_uses_no_processor_time() {
     // The clock ticks a hundred times a second.
     let seconds = |pty: &Pty| {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", pty.pid())).unwrap();
+        let stat = fs::read_to_string(format!("/proc/{}/stat", pty.pid())).unwrap();
         let (_, after) = stat.rsplit_once(')').unwrap();
         let fields: Vec<_> = after.split_whitespace().collect();
         let ticks = [11, 12].map(|i: usize| fields[i].parse::<u32>().unwrap());

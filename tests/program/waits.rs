@@ -1,0 +1,53 @@
+//! Tests that mostly wait: for the limits of a host, for devices, for nothing at all. One after the
+//! other they would take half a minute, so they run at the same time. A failure names its test.
+
+use std::thread;
+
+use crate::hosted;
+#[cfg(target_os = "linux")]
+use crate::{crowd, idle};
+
+const WAITS: &[(&str, fn())] = &[
+    #[cfg(target_os = "linux")]
+    (
+        "a few devices vote alongside slow and hostile ones",
+        crowd::a_few_devices_vote_alongside_slow_and_hostile_ones,
+    ),
+    #[cfg(target_os = "linux")]
+    (
+        "a host that is killed during a round loses no vote",
+        crowd::a_host_that_is_killed_during_a_round_loses_no_vote,
+    ),
+    #[cfg(target_os = "linux")]
+    (
+        "guessing codes is slow over any number of connections",
+        hosted::guessing_codes_is_slow_over_any_number_of_connections,
+    ),
+    #[cfg(target_os = "linux")]
+    (
+        "an idle program uses no processor time",
+        idle::an_idle_program_uses_no_processor_time,
+    ),
+    (
+        "nobody gets in without the code",
+        hosted::nobody_gets_in_without_the_code,
+    ),
+    (
+        "a hand-in is on the disk before it is confirmed",
+        hosted::a_hand_in_is_on_the_disk_before_it_is_confirmed,
+    ),
+    (
+        "a round is resumed at the port where its devices look for it",
+        hosted::a_round_is_resumed_at_the_port_where_its_devices_look_for_it,
+    ),
+];
+
+#[test]
+fn tests_that_mostly_wait() {
+    thread::scope(|scope| {
+        for (name, test) in WAITS {
+            let thread = thread::Builder::new().name((*name).to_owned());
+            thread.spawn_scoped(scope, test).unwrap();
+        }
+    });
+}
