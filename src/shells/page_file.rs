@@ -63,10 +63,14 @@ impl PageFile {
         Ok(Self::new(text, own))
     }
 
-    /// The page without the teacher's files. This copy is served to the devices of a class:
-    /// the files may contain the answers to the questions of the class.
-    pub(super) fn text(&self) -> &str {
-        &self.text
+    /// The page without a teacher's files, including those that the given page already contained.
+    /// This copy is served to the devices of a class: the files may contain the answers to the
+    /// questions of the class.
+    pub(super) fn text(&self) -> Cow<'_, str> {
+        match with_files(&self.text, &[]) {
+            Ok(page) => page.into(),
+            Err(_) => Cow::Borrowed(&self.text),
+        }
     }
 
     /// The page with the teacher's files, as HTML; if the code of a round is given, as a SCORM 1.2
@@ -128,5 +132,7 @@ mod tests {
         // Adding the files again replaces them.
         assert_eq!(with_files(&with, &own).unwrap(), with);
         assert!(with_files("<html>", &own).is_err());
+        // The devices of a class do not get them.
+        assert_eq!(PageFile::new(with, Ok(Vec::new())).text(), page);
     }
 }

@@ -137,7 +137,7 @@ impl Host {
         };
         let page = self.page();
         let shown = page.clone().map(|_| ());
-        let page = page.ok().map(|page| ServedPage::new(page.text()));
+        let page = page.ok().map(|page| ServedPage::new(&page.text()));
         let page = page.transpose()?;
         let board = Arc::new(Switchboard::new(code, port, page, Arc::clone(&self.wake)));
         self.board = Some(Arc::clone(&board));
