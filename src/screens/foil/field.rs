@@ -3,7 +3,6 @@
 use super::setup::{FoilSetup, Obstacle};
 use super::words::count;
 use crate::beams::{CountedFor, METALS};
-use crate::numbers::fixed;
 use crate::physics::beam::Beam;
 use crate::screens::route::FoilPage;
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
@@ -59,23 +58,17 @@ impl FormFields for FoilFields {
     }
 }
 
-const fn choice(at: usize, count: usize) -> FieldValue {
-    FieldValue::Choice { at, count }
-}
-
 static OBSTACLE: FoilRow = FoilRow {
     name: "target",
     about: "what the particles hit",
-    value: |setup| choice(setup.obstacle as usize, 2),
-    shown: |setup| ["hard", "nucleus"][setup.obstacle as usize].into(),
+    now: |setup| FieldValue::choice(setup.obstacle as usize, &["hard", "nucleus"]),
     put: |setup, at| setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][at as usize],
 };
 
 static BEAM: FoilRow = FoilRow {
     name: "beam",
     about: "spread evenly over a line or a disc",
-    value: |setup| choice(setup.beam as usize, 2),
-    shown: |setup| ["in a plane", "in space"][setup.beam as usize].into(),
+    now: |setup| FieldValue::choice(setup.beam as usize, &["in a plane", "in space"]),
     put: |setup, at| setup.beam = [Beam::Board, Beam::Space][at as usize],
 };
 
@@ -83,8 +76,11 @@ static BEAM: FoilRow = FoilRow {
 static METAL: FoilRow = FoilRow {
     name: "metal",
     about: "what the foil is made of",
-    value: |setup| choice(setup.metal, METALS.len()),
-    shown: |setup| format!("{}, Z {}", setup.metal().name, setup.metal().charge),
+    now: |setup| {
+        let (at, count) = (setup.metal, METALS.len());
+        let shown = format!("{}, Z {}", setup.metal().name, setup.metal().charge);
+        (FieldValue::Choice { at, count }, shown)
+    },
     put: |setup, at| setup.metal = at as usize,
 };
 
@@ -92,16 +88,14 @@ static ENERGY: FoilRow = FoilRow {
     name: "energy",
     about: "of the α-particles",
     // In a thick foil, slower α-particles would lose much of their energy.
-    value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
-    shown: |setup| format!("{:.2} MeV", setup.energy_mev),
+    now: |setup| FieldValue::decimal(setup.energy_mev, (4.0, 10.0), 0.25, (2, " MeV")),
     put: |setup, energy| setup.energy_mev = energy,
 };
 
 static THICKNESS: FoilRow = FoilRow {
     name: "foil",
     about: "how thick the foil is",
-    value: |setup| FieldValue::number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
-    shown: |setup| format!("{:.2} µm", setup.thickness_um),
+    now: |setup| FieldValue::decimal(setup.thickness_um, (0.05, 2.0), 0.05, (2, " µm")),
     put: |setup, thickness| setup.thickness_um = thickness,
 };
 
@@ -109,13 +103,9 @@ static THICKNESS: FoilRow = FoilRow {
 pub(super) static OFFSET: FoilRow = FoilRow {
     name: "offset b",
     about: "how far off-centre the particle flies",
-    value: |setup| match setup.obstacle {
-        Obstacle::Hard => FieldValue::number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
-        Obstacle::Nucleus => FieldValue::number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
-    },
-    shown: |setup| match setup.obstacle {
-        Obstacle::Hard => fixed(setup.offset_share, 2) + " R",
-        Obstacle::Nucleus => fixed(setup.offset_fm, 1) + " fm",
+    now: |setup| match setup.obstacle {
+        Obstacle::Hard => FieldValue::decimal(setup.offset_share, (-1.5, 1.5), 0.05, (2, " R")),
+        Obstacle::Nucleus => FieldValue::decimal(setup.offset_fm, (-60.0, 60.0), 1.0, (1, " fm")),
     },
     put: |setup, offset| match setup.obstacle {
         Obstacle::Hard => setup.offset_share = offset,
@@ -129,20 +119,23 @@ const EXPONENTS: [u32; 2] = [3, 9];
 static PARTICLES: FoilRow = FoilRow {
     name: "particles",
     about: "how many in a beam",
-    value: |setup| {
+    now: |setup| {
         let [least, most] = EXPONENTS;
-        let at = setup.particles_exponent.saturating_sub(least);
-        choice(at as usize, (most - least + 1) as usize)
+        let at = setup.particles_exponent.saturating_sub(least) as usize;
+        let options = (most - least + 1) as usize;
+        let value = FieldValue::Choice { at, count: options };
+        (value, count(setup.particles()))
     },
-    shown: |setup| count(setup.particles()),
     put: |setup, at| setup.particles_exponent = EXPONENTS[0] + at as u32,
 };
 
 static COUNTED_FOR: FoilRow = FoilRow {
     name: "counts",
     about: "on a small screen or in rings of 5°",
-    value: |setup| choice(setup.counted_for as usize, 2),
-    shown: |setup| shown_counts(setup.counted_for).into(),
+    now: |setup| {
+        let names = [CountedFor::Steradian, CountedFor::Ring].map(shown_counts);
+        FieldValue::choice(setup.counted_for as usize, &names)
+    },
     put: |setup, at| setup.counted_for = [CountedFor::Steradian, CountedFor::Ring][at as usize],
 };
 
@@ -183,10 +176,10 @@ mod tests {
             for wild in [-1e9, -0.0, 0.0, 0.7, 1e9] {
                 let mut setup = FoilSetup::default();
                 row.set(&mut setup, wild);
-                assert!(is_within((row.value)(&setup)), "{}", row.name);
+                assert!(is_within((row.now)(&setup).0), "{}", row.name);
                 row.step(&mut setup, 10.0);
                 row.step(&mut setup, -1.0);
-                assert!(is_within((row.value)(&setup)), "{}", row.name);
+                assert!(is_within((row.now)(&setup).0), "{}", row.name);
             }
         }
     }

@@ -48,11 +48,12 @@ const OF_RADII: &str = "If both radii are set, the line of impact is found from 
 const OF_SCALE: &str = "All coordinates are multiplied by this number. For a file in pixels, set \
                         the millimetres per pixel.";
 
-/// A value as shown. It begins with a number even if it is not set, so that a browser page shows a
-/// number field.
-fn shown(value: f64, unit: &str) -> String {
+/// A value and its text. The text begins with a number even if the value is not set, so that a
+/// browser page shows a number field.
+fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) -> (FieldValue, String) {
     let note = if value > 0.0 { "" } else { " (not set)" };
-    format!("{}{unit}{note}", short(value, 4))
+    let shown = format!("{}{unit}{note}", short(value, 4));
+    (FieldValue::number(value, range, step, unit), shown)
 }
 
 macro_rules! row {
@@ -60,8 +61,7 @@ macro_rules! row {
         FieldRow {
             name: $name,
             about: $about,
-            value: |it| FieldValue::number(it.$of$([$body])?, $range, $step, $unit),
-            shown: |it| shown(it.$of$([$body])?, $unit),
+            now: |it| number(it.$of$([$body])?, $range, $step, $unit),
             put: |it, value| it.$of$([$body])? = value,
         }
     };
@@ -76,8 +76,10 @@ static ROWS: [FieldRow<MeasuredSettings>; 6] = [
     FieldRow {
         name: "predict with e",
         about: "The prediction uses this coefficient of restitution.",
-        value: |it| FieldValue::number(it.restitution, (0.0, 1.0), 0.05, ""),
-        shown: |it| short(it.restitution, 4),
+        now: |it| {
+            let value = FieldValue::number(it.restitution, (0.0, 1.0), 0.05, "");
+            (value, short(it.restitution, 4))
+        },
         put: |it, value| it.restitution = value,
     },
 ];

@@ -137,15 +137,12 @@ pub(super) const PLAYER: usize = SETTINGS.len() - 2;
 impl FormFields for Settings {
     fn fields(&self) -> Vec<Field> {
         let choice = |setting: &Setting| {
-            let (at, count) = ((setting.at)(self), setting.words.len());
-            let shown = setting.words.get(at).copied().unwrap_or_default();
-            let value = FieldValue::Choice { at, count };
-            Field::new(setting.name, shown.into(), value, setting.about)
+            let now = FieldValue::choice((setting.at)(self), setting.words);
+            Field::new(setting.name, now, setting.about)
         };
         let player = Field::new(
             "player",
-            self.player.clone(),
-            FieldValue::Choice { at: 0, count: 1 },
+            FieldValue::choice(0, &[&self.player]),
             "The player to whom these answers, stars and bookmarks belong. Everyone on this computer can have their own.",
         );
         let shown = SETTINGS[..PLAYER].iter().map(choice);

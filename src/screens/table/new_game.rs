@@ -10,7 +10,7 @@ use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::pack::pack;
 use crate::game::{Hands, Length, PieceSet, Player, Results, Rules, Seat, SeatNames, Team};
 use crate::messages::{FileKind, Key, StoreAnswer, StoreReply, StoreRequest};
-use crate::numbers::{counted, fixed};
+use crate::numbers::counted;
 use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
@@ -389,18 +389,19 @@ impl FormFields for Options {
                 let (at, count) = (at.unwrap_or(0), choices.len());
                 let chosen = choices.into_iter().nth(at);
                 let (shown, about) = chosen.map_or_else(Default::default, |it| (it.1, it.2));
-                Field::new(name, shown, FieldValue::Choice { at, count }, about)
+                Field::new(name, (FieldValue::Choice { at, count }, shown), about)
             }
             OptionRow::Name(seat) => Field::new(
                 format!("{}'s name", <&str>::from(seat)),
-                self.company.names.of(seat).to_owned(),
-                FieldValue::Text(SeatNames::LONGEST),
+                (
+                    FieldValue::Text(SeatNames::LONGEST),
+                    self.company.names.of(seat).to_owned(),
+                ),
                 "Type a name, or leave it empty. The score and the saved game show it.",
             ),
             OptionRow::Restitution => Field::new(
                 "restitution e",
-                fixed(self.setup.restitution, 2),
-                FieldValue::number(self.setup.restitution, (0.0, 1.0), 0.05, ""),
+                FieldValue::decimal(self.setup.restitution, (0.0, 1.0), 0.05, (2, "")),
                 "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
                  always 0.8.",
             ),

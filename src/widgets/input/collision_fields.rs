@@ -49,20 +49,25 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     Row {
         name: "offset b",
         about: "how far off-centre the hit is: + coin to the right, - coin to the left",
-        value: |spec| {
-            let widest = widest_mm(spec);
-            FieldValue::number(spec.offset_mm(), (-widest, widest), 0.5, " mm")
+        now: |spec| {
+            let (offset, widest) = (spec.offset_mm(), widest_mm(spec));
+            let value = FieldValue::number(offset, (-widest, widest), 0.5, " mm");
+            let shown = format!("{} mm{}", fixed(offset.abs(), 1), side(offset));
+            (value, shown)
         },
-        shown: |spec| format!("{} mm{}", fixed(spec.offset_mm().abs(), 1), side(spec)),
         put: |spec, offset_mm| spec.point = ImpactPoint::Offset { offset_mm },
     },
     Row {
         name: "impact angle",
         about: "the same offset, as the angle between the striker's path and n",
-        value: |spec| FieldValue::number(alpha_deg(spec), within("alpha_deg"), 1.0, "°"),
-        shown: |spec| match spec.offset_mm().abs() > spec.contact_distance_mm() {
-            true => "a miss".into(),
-            false => fixed(alpha_deg(spec).abs(), 1) + "°",
+        now: |spec| {
+            let alpha = alpha_deg(spec);
+            let value = FieldValue::number(alpha, within("alpha_deg"), 1.0, "°");
+            let shown = match spec.offset_mm().abs() > spec.contact_distance_mm() {
+                true => "a miss".into(),
+                false => fixed(alpha.abs(), 1) + "°",
+            };
+            (value, shown)
         },
         put: |spec, alpha_deg| {
             let offset_mm = spec.contact_distance_mm() * alpha_deg.to_radians().sin();
@@ -72,98 +77,79 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     Row {
         name: "aim",
         about: "the striker's direction; everything turns with it",
-        value: |spec| FieldValue::number(spec.aim_deg, ANY, 5.0, "°"),
-        shown: |spec| fixed(spec.aim_deg, 0) + "°",
+        now: |spec| FieldValue::decimal(spec.aim_deg, ANY, 5.0, (0, "°")),
         put: |spec, degrees| spec.aim_deg = wrap_degrees(degrees),
     },
     Row {
         name: "speed",
         about: "the striker's speed; no angle depends on it if the coin is at rest and nothing spins",
-        value: |spec| FieldValue::number(spec.speed, within("speed"), 0.25, " m/s"),
-        shown: |spec| fixed(spec.speed, 2) + " m/s",
+        now: |spec| ranged("speed", spec.speed, 0.25, (2, " m/s")),
         put: |spec, speed| spec.speed = speed,
     },
     Row {
         name: "restitution e",
         about: "speed of separation over speed of approach along n; 1: no energy lost",
-        value: |spec| FieldValue::number(spec.restitution, within("restitution"), 0.05, ""),
-        shown: |spec| fixed(spec.restitution, 2),
+        now: |spec| ranged("restitution", spec.restitution, 0.05, (2, "")),
         put: |spec, restitution| spec.restitution = restitution,
     },
     Row {
         name: "contact",
         about: "slip: smooth rims push only along n; stick: rims hold together",
-        value: |spec| FieldValue::Choice {
-            at: usize::from(spec.bond == Bond::Stick),
-            count: 2,
-        },
-        shown: |spec| match spec.bond {
-            Bond::Slip => "slip".into(),
-            Bond::Stick => "stick".into(),
-        },
+        now: |spec| FieldValue::choice((spec.bond == Bond::Stick).into(), &["slip", "stick"]),
         put: |spec, at| spec.bond = if at > 0.5 { Bond::Stick } else { Bond::Slip },
     },
     Row {
         name: "striker mass",
         about: "the striker's mass; only the ratio matters",
-        value: |spec| FieldValue::number(spec.m1_g, within("m1_g"), 0.5, " g"),
-        shown: |spec| fixed(spec.m1_g, 1) + " g",
+        now: |spec| ranged("m1_g", spec.m1_g, 0.5, (1, " g")),
         put: |spec, grams| spec.m1_g = grams,
     },
     Row {
         name: "coin mass",
         about: "the coin's mass; equal masses leave at 90° to each other",
-        value: |spec| FieldValue::number(spec.m2_g, within("m2_g"), 0.5, " g"),
-        shown: |spec| fixed(spec.m2_g, 1) + " g",
+        now: |spec| ranged("m2_g", spec.m2_g, 0.5, (1, " g")),
         put: |spec, grams| spec.m2_g = grams,
     },
     Row {
         name: "striker radius",
         about: "the striker's radius; the discs touch if b is at most r₁ + r₂",
-        value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
-        shown: |spec| fixed(spec.r1_mm, 2) + " mm",
+        now: |spec| ranged("r1_mm", spec.r1_mm, 0.5, (2, " mm")),
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
         about: "the coin's radius; the discs touch if b is at most r₁ + r₂",
-        value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
-        shown: |spec| fixed(spec.r2_mm, 2) + " mm",
+        now: |spec| ranged("r2_mm", spec.r2_mm, 0.5, (2, " mm")),
         put: |spec, radius_mm| spec.r2_mm = radius_mm,
     },
     Row {
         name: "coin speed",
         about: "the coin's initial speed; 0: it is at rest",
-        value: |spec| FieldValue::number(spec.target_speed, within("target_speed"), 0.25, " m/s"),
-        shown: |spec| fixed(spec.target_speed, 2) + " m/s",
+        now: |spec| ranged("target_speed", spec.target_speed, 0.25, (2, " m/s")),
         put: |spec, speed| spec.target_speed = speed,
     },
     Row {
         name: "coin aim",
         about: "the coin's initial direction, if it moves",
-        value: |spec| FieldValue::number(spec.target_deg, ANY, 5.0, "°"),
-        shown: |spec| fixed(spec.target_deg, 0) + "°",
+        now: |spec| FieldValue::decimal(spec.target_deg, ANY, 5.0, (0, "°")),
         put: |spec, degrees| spec.target_deg = wrap_degrees(degrees),
     },
     Row {
         name: "rim friction μᵣ",
         about: "friction between the rims; 0: smooth, as on the board",
-        value: |spec| FieldValue::number(spec.rims.friction, within("rim_friction"), 0.05, ""),
-        shown: |spec| fixed(spec.rims.friction, 2),
+        now: |spec| ranged("rim_friction", spec.rims.friction, 0.05, (2, "")),
         put: |spec, friction| spec.rims.friction = friction,
     },
     Row {
         name: "striker spin",
         about: "the striker's spin before the collision; + anticlockwise",
-        value: |spec| FieldValue::number(spec.rims.spins[0], within("spin1"), 10.0, " rad/s"),
-        shown: |spec| fixed(spec.rims.spins[0], 1) + " rad/s",
+        now: |spec| ranged("spin1", spec.rims.spins[0], 10.0, (1, " rad/s")),
         put: |spec, spin| spec.rims.spins[0] = spin,
     },
     Row {
         name: "coin spin",
         about: "the coin's spin before the collision; + anticlockwise",
-        value: |spec| FieldValue::number(spec.rims.spins[1], within("spin2"), 10.0, " rad/s"),
-        shown: |spec| fixed(spec.rims.spins[1], 1) + " rad/s",
+        now: |spec| ranged("spin2", spec.rims.spins[1], 10.0, (1, " rad/s")),
         put: |spec, spin| spec.rims.spins[1] = spin,
     },
 ];
@@ -212,6 +198,16 @@ fn within(name: &str) -> (f64, f64) {
     range.map_or(ANY, |range| (range.least, range.most))
 }
 
+/// A number with the range that it may have in a file under this name, and its text.
+fn ranged(
+    name: &str,
+    value: f64,
+    step: f64,
+    decimals_and_unit: (usize, &'static str),
+) -> (FieldValue, String) {
+    FieldValue::decimal(value, within(name), step, decimals_and_unit)
+}
+
 /// The impact angle in degrees; for a miss, the angle of a graze on the same side.
 fn alpha_deg(spec: &CollisionSpec) -> f64 {
     let ratio = spec.offset_mm() / spec.contact_distance_mm();
@@ -219,8 +215,8 @@ fn alpha_deg(spec: &CollisionSpec) -> f64 {
 }
 
 /// Describes the side on which the coin lies.
-fn side(spec: &CollisionSpec) -> &'static str {
-    match spec.offset_mm() {
+fn side(offset_mm: f64) -> &'static str {
+    match offset_mm {
         mm if mm > 0.0 => " right",
         mm if mm < 0.0 => " left",
         _ => "",

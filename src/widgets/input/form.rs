@@ -6,6 +6,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome, TextField};
 use crate::messages::Key;
+use crate::numbers::fixed;
 use crate::widgets::{Role, panel::Panel};
 
 /// The size of a fine step, as a fraction of an ordinary step.
@@ -32,8 +33,7 @@ impl Field {
     /// Creates a field that can be changed.
     pub(crate) fn new(
         name: impl Into<Cow<'static, str>>,
-        shown: String,
-        value: FieldValue,
+        (value, shown): (FieldValue, String),
         about: impl Into<Cow<'static, str>>,
     ) -> Self {
         Self {
@@ -88,6 +88,24 @@ impl FieldValue {
         }
     }
 
+    /// A number, and its text with this many decimals and its unit.
+    pub(crate) fn decimal(
+        value: f64,
+        range: (f64, f64),
+        step: f64,
+        (decimals, unit): (usize, &'static str),
+    ) -> (Self, String) {
+        let number = Self::number(value, range, step, unit);
+        (number, fixed(value, decimals) + unit)
+    }
+
+    /// One of several options, and its name.
+    pub(crate) fn choice(at: usize, names: &[&str]) -> (Self, String) {
+        let name = names.get(at).copied().unwrap_or_default();
+        let count = names.len();
+        (Self::Choice { at, count }, name.to_owned())
+    }
+
     /// The value after `steps` steps, rounded to a whole multiple of the step, or of the given
     /// fraction of a step; a choice moves to the next or the previous option.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
@@ -120,10 +138,8 @@ pub(crate) struct FieldRow<S> {
     pub name: &'static str,
     /// A one-line description.
     pub about: &'static str,
-    /// The value and its range.
-    pub value: fn(&S) -> FieldValue,
-    /// The value as text, with its unit.
-    pub shown: fn(&S) -> String,
+    /// The value and its range, and the value as text, with its unit.
+    pub now: fn(&S) -> (FieldValue, String),
     /// Sets a number, which must be in its range, or selects a choice by its index.
     pub put: fn(&mut S, f64),
 }
@@ -131,12 +147,12 @@ pub(crate) struct FieldRow<S> {
 impl<S> FieldRow<S> {
     /// The form field for this setting, with its current value.
     pub(crate) fn field(&self, of: &S) -> Field {
-        Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
+        Field::new(self.name, (self.now)(of), self.about)
     }
 
     /// Sets a number, clamped to its range, or selects a choice by its index.
     pub(crate) fn set(&self, of: &mut S, value: f64) {
-        let (least, most) = match (self.value)(of) {
+        let (least, most) = match (self.now)(of).0 {
             FieldValue::Number { range, .. } => range,
             FieldValue::Choice { count, .. } => (0.0, count.saturating_sub(1) as f64),
             FieldValue::Text(_) => return,
@@ -147,7 +163,7 @@ impl<S> FieldRow<S> {
 
     /// Changes the setting by `steps` steps; choices wrap around.
     pub(crate) fn step(&self, of: &mut S, steps: f64) {
-        self.set(of, (self.value)(of).stepped(steps));
+        self.set(of, (self.now)(of).0.stepped(steps));
     }
 }
 

@@ -44,7 +44,7 @@ impl Dials {
             let value = FieldValue::number(aim.get(dial), range_held, step, unit);
             let [from, to] = [range.from, range.to].map(|end| number(dial, end));
             let about = format!("{about}, from {from} to {to}{unit}");
-            Field::new(name, with_unit(dial, aim.get(dial)), value, about)
+            Field::new(name, (value, with_unit(dial, aim.get(dial))), about)
         };
         self.level.adjust.dials().map(field).collect()
     }
