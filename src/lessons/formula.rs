@@ -8,6 +8,7 @@ mod letters;
 mod parse;
 
 use letters::letter;
+pub(crate) use letters::{lowered, raised};
 
 /// A formula, as a sequence of parts.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,10 +55,10 @@ impl From<Node> for Formula {
 
 /// Converts `text` to subscript characters; `None` if [`letters`] lacks any of them.
 pub(crate) fn subscript(text: &str) -> Option<String> {
-    text.chars().map(letters::lowered).collect()
+    text.chars().map(lowered).collect()
 }
 
 /// Converts `text` to superscript characters; `None` if [`letters`] lacks any of them.
 pub(crate) fn superscript(text: &str) -> Option<String> {
-    text.chars().map(letters::raised).collect()
+    text.chars().map(raised).collect()
 }

@@ -22,7 +22,7 @@ pub(super) fn letter(word: &str) -> Option<char> {
 }
 
 /// The subscript form of a letter.
-pub(super) fn lowered(letter: char) -> Option<char> {
+pub(crate) fn lowered(letter: char) -> Option<char> {
     Some(match letter {
         '0'..='9' => char::from_u32('₀' as u32 + (letter as u32 - '0' as u32))?,
         'n' => 'ₙ',
@@ -37,7 +37,7 @@ pub(super) fn lowered(letter: char) -> Option<char> {
 }
 
 /// The superscript form of a letter.
-pub(super) fn raised(letter: char) -> Option<char> {
+pub(crate) fn raised(letter: char) -> Option<char> {
     Some(match letter {
         '-' | '−' => '⁻',
         _ => RAISED_DIGITS[letter.to_digit(10)? as usize],

@@ -1,12 +1,8 @@
 //! Superscript characters, which are spelt out on ASCII screens and in plain mode.
 
-use crate::numbers::RAISED_DIGITS;
+use crate::lessons::formula::raised;
 
 /// The digit or sign that corresponds to a superscript character.
 pub(crate) fn superscript(letter: char) -> Option<char> {
-    let digit = |letter| (0..10).zip(RAISED_DIGITS).find(|(_, it)| *it == letter);
-    match letter {
-        '⁻' => Some('-'),
-        _ => char::from_digit(digit(letter)?.0, 10),
-    }
+    "-0123456789".chars().find(|it| raised(*it) == Some(letter))
 }

@@ -3,6 +3,7 @@
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 
 use super::{GAP, HEIGHT};
+use crate::lessons::formula::lowered;
 use crate::widgets::Charset;
 use crate::widgets::text::signs::superscript;
 
@@ -53,16 +54,7 @@ fn own(letter: char) -> Option<[u8; HEIGHT]> {
         '√' => return Some([0x78, 0x08, 0x08, 0x09, 0x0b, 0x0e, 0x04, 0]),
         _ => {}
     }
-    let index = match letter {
-        '₀'..='₉' => char::from_digit(letter as u32 - '₀' as u32, 10),
-        'ₙ' => Some('n'),
-        'ᵣ' => Some('r'),
-        'ₛ' => Some('s'),
-        'ₜ' => Some('t'),
-        'ₓ' => Some('x'),
-        'ᵧ' => Some('y'),
-        _ => None,
-    };
+    let index = ('0'..='z').find(|it| lowered(*it) == Some(letter));
     let from = index.map_or(0, |_| HEIGHT - RAISED);
     let small = small_letter(index.or_else(|| superscript(letter))?)?;
     let mut rows = [0; HEIGHT];

@@ -48,7 +48,7 @@ impl Setter {
             Node::Fraction(over, under) => {
                 let (over, under) = (self.row(over), self.row(under));
                 let width = over.width().max(under.width()) + 2;
-                over.over(&FormulaBlock::line(&self.stroke().repeat(width)))
+                over.over(&FormulaBlock::line(&self.charset.text("─").repeat(width)))
                     .with_base_at_end()
                     .over(&under)
             }
@@ -60,13 +60,6 @@ impl Setter {
             Node::Scripts { base, below, above } => {
                 self.scripted(&self.node(base), below.as_ref(), above.as_ref())
             }
-        }
-    }
-
-    fn stroke(&self) -> &'static str {
-        match self.charset {
-            Charset::Ascii => "-",
-            Charset::Unicode => "─",
         }
     }
 
