@@ -187,13 +187,10 @@ impl<'s, A: Copy> View<'s, A> {
             return large;
         }
         let small = under(true);
-        match large.pages().zip(small.pages()) {
-            Some((large_pages, small_pages))
-                if large_pages.are_as_good_as(small_pages, &writing.look) =>
-            {
-                large
-            }
-            _ => small,
+        let both = large.pages().zip(small.pages());
+        match both.is_some_and(|(large, small)| large.are_as_good_as(small)) {
+            true => large,
+            false => small,
         }
     }
 

@@ -14,7 +14,7 @@ use ratatui::layout::{Margin, Rect};
 use super::cells::Writing;
 use super::{ActionAt, Content, LargeText, Panel};
 use crate::widgets::bar::bar;
-use crate::widgets::big::{BigPages, BigParagraph, BigText, LetterSize};
+use crate::widgets::big::{Align, BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
@@ -168,50 +168,14 @@ impl<'p> PlacedPages<'p> {
     /// `other`, the layout with a small heading: the first part of each is a single page, the
     /// letters have the same size, which is one that headings can have, and the picture is not much
     /// smaller.
-    pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
+    pub(crate) fn are_as_good_as(&self, other: &Self) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
         };
         (own.count(), other.count()) == (1, 1)
             && own.size == other.size
-            && own.size.is_of_names(look.charset)
+            && own.size.is_of_names()
             && 4 * own.layouts[0].picture.height >= 3 * other.layouts[0].picture.height
-    }
-
-    /// For each part: the size of its letters, the number of letters, the number of pages, and the
-    /// area of the picture on the first page.
-    #[cfg(test)]
-    pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
-        self.parts.iter().map(|part| {
-            let letters = part.texts.iter().map(|it| it.shown.chars().count());
-            (
-                part.size,
-                letters.sum(),
-                part.count(),
-                part.layouts[0].picture,
-            )
-        })
-    }
-
-    /// Whether the first page shows all choices with their bars.
-    #[cfg(test)]
-    pub(crate) fn begins_with_all_choices(&self) -> bool {
-        let Some(part) = self.parts.first() else {
-            return false;
-        };
-        let area = Rect::new(0, 0, 1, part.layout(0).words.height);
-        let look = Look::default();
-        let page = part.pages.page(0);
-        let ends =
-            page.map(|page| page.draw(area, &mut Buffer::empty(area), &look, |_| Role::Text));
-        part.texts
-            .iter()
-            .enumerate()
-            .all(|(number, PagedParagraph { text, .. })| {
-                let end = ends.iter().flatten().find(|(at, _)| *at == number);
-                !text.whole
-                    || end.is_some_and(|(_, row)| text.share.is_none() || *row < area.height)
-            })
     }
 
     /// The cells of a page that can be clicked.
@@ -258,35 +222,26 @@ impl PagedText<'_> {
     /// The indices and areas of the blocks on a page that can be clicked.
     fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
         let words = self.layout(page).words;
-        let shown = self.pages.page(page).into_iter();
-        shown
-            .flat_map(|page| page.places())
-            .filter_map(move |(number, rows)| {
-                let it = self.texts.get(number)?;
-                let cells = Rect {
-                    y: words.y + rows.start,
-                    height: rows.end - rows.start,
-                    ..words
-                };
-                let cells = cells.intersection(words);
-                (it.acts && !cells.is_empty()).then_some((it.block, cells))
-            })
+        self.pages.page(page).iter().filter_map(move |part| {
+            let it = self.texts.get(part.paragraph)?;
+            let [cells, _] = part.split(words);
+            (it.acts && !cells.is_empty()).then_some((it.block, cells))
+        })
     }
 
     fn draw(&self, page: usize, buf: &mut Buffer, look: &Look) {
         let place = self.layout(page).words;
         self.record(page, place, look.charset);
-        let text = |number: usize| self.texts.get(number).map(|it| it.text);
-        let role = |number| text(number).map_or(Role::Text, |it| it.role);
-        let Some(shown) = self.pages.page(page) else {
-            return;
-        };
-        for (number, row) in shown.draw(place, buf, look, role) {
-            let share = text(number).and_then(|it| it.share);
-            if let Some(share) = share.filter(|_| row < place.height) {
-                let bar = bar(share, place.width, look.charset);
+        for part in self.pages.page(page) {
+            let Some(PagedParagraph { text, .. }) = self.texts.get(part.paragraph) else {
+                continue;
+            };
+            let [own, below] = part.split(place);
+            part.big.draw(own, buf, look, text.role, Align::Left);
+            if let (true, Some(share)) = (part.ends && !below.is_empty(), text.share) {
+                let bar = bar(share, below.width, look.charset);
                 let style = look.theme.style(Role::Predicted);
-                buf.set_stringn(place.x, place.y + row, bar, place.width.into(), style);
+                buf.set_stringn(below.x, below.y, bar, below.width.into(), style);
             }
         }
     }
@@ -373,60 +328,39 @@ fn on_one_page<'p>(
 
 fn last_sentence(text: &str) -> &str {
     let start = text::sentence_ends(text).last().unwrap_or(0);
+/// The sizes of letters and the gaps with which paragraphs are set.
+#[derive(Clone, Copy)]
+struct PageStyle {
+    /// The size of the letters of a question, and that of its choices.
+    sizes: [LetterSize; 2],
+    /// The number of rows below a paragraph, and below a paragraph with a bar.
+    gaps: [u16; 2],
+}
+
     text[start..].trim_start()
 }
 
 impl<'p> PagedText<'p> {
     /// Sets paragraphs in letters of one size on as few pages as possible, preferring larger
-    /// letters and then a larger picture. Characters without a large form are spelt out; `None` if
-    /// that is not possible, if the text does not fit, or if there would be more than `most` pages.
+    /// letters and then a larger picture. `None` if there would be more than `most` pages.
     fn new(paragraphs: &[PagedParagraph<'p>], setting: PageSetting, most: usize) -> Option<Self> {
-        let (beside, look) = (setting.beside, setting.look);
-        let last = bar_below(paragraphs);
+        let beside = setting.beside;
         let alone = VotePageLayout::new(setting.room, Beside::Nothing, 0);
-        let all_layouts: Vec<_> = { beside.tenths().rev() }
+        let layouts: Vec<_> = { beside.tenths().rev() }
             .map(|tenths| VotePageLayout::new(setting.room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = paragraphs.iter().any(|it| it.text.share.is_some());
-        let placed = |texts: &[_], size, layouts: [VotePageLayout; 2]| {
-            let set = |foot: u16| {
-                let rows = |it: VotePageLayout| it.words.height.saturating_sub(last + foot);
-                let rooms = layouts.map(|it| (it.words.width, rows(it)));
-                BigPages::set(texts, rooms, most)
-            };
-            // If there are several pages, the last row shows the page number.
-            let one = set(u16::from(setting.more)).filter(|pages| pages.count() == 1);
-            let pages = one.or_else(|| set(1).filter(|_| most > 1))?;
-            Some(Self {
-                texts: paragraphs.to_vec(),
-                pages,
-                size,
-                layouts,
+        let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
+        let styles = gaps.flat_map(|gap| {
+            let sizes = LetterSize::legible(setting.look.charset, setting.screen_rows);
+            sizes.map(move |size| PageStyle {
+                sizes: [size; 2],
+                gaps: [gap; 2],
             })
-        };
-        let best = |spelling: Charset| {
-            let words = spelt(paragraphs, spelling);
-            let words = &words;
-            // Layouts with larger letters and pictures are tried first.
-            let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
-            let sizes = gaps.flat_map(|gap| {
-                let sizes = LetterSize::legible(look.charset, setting.screen_rows);
-                sizes.map(move |size| (gap, size))
-            });
-            fewest_pages(sizes.flat_map(|(gap, size)| {
-                let texts = { paragraphs.iter().zip(words) }.map(|(it, text)| BigParagraph {
-                    text: Rc::clone(text),
-                    whole: it.text.whole,
-                    size,
-                    gap,
-                });
-                let texts: Vec<_> = texts.collect();
-                let layouts = all_layouts.iter();
-                layouts.filter_map(move |layouts| placed(&texts, size, *layouts))
-            }))
-        };
-        [look.charset, Charset::Ascii].into_iter().find_map(best)
+        });
+        let styles: Vec<_> = styles.collect();
+        Self::best(paragraphs, setting, &styles, &layouts, most)
     }
 
     /// Sets paragraphs on one page beside a picture with one of these heights, in tenths of the
@@ -437,38 +371,68 @@ impl<'p> PagedText<'p> {
         tenths: RangeInclusive<u16>,
         setting: PageSetting,
     ) -> Option<Self> {
-        let look = setting.look;
-        let layout = |tenths| VotePageLayout::new(setting.room, setting.beside, tenths);
+        let layout = |tenths| [VotePageLayout::new(setting.room, setting.beside, tenths); 2];
         let layouts: Vec<_> = tenths.rev().map(layout).collect();
-        let foot = bar_below(paragraphs) + u16::from(setting.more);
-        let sizes = LetterSize::for_one_page(look.charset, setting.screen_rows);
+        let sizes = LetterSize::for_one_page(setting.look.charset, setting.screen_rows);
         let pairs = { sizes.iter().enumerate() }
-            .flat_map(|(i, choice)| sizes[i..].iter().map(move |stem| [*choice, *stem]));
-        let pairs: Vec<_> = pairs.collect();
-        [look.charset, Charset::Ascii]
-            .into_iter()
-            .find_map(|spelling| {
-                let words = spelt(paragraphs, spelling);
-                let all = pairs.iter().flat_map(|pair| GAPS.map(|gap| (*pair, gap)));
-                { all }.find_map(|([choice, stem], gap)| {
-                    let texts = { paragraphs.iter().zip(&words) }.map(|(it, text)| BigParagraph {
-                        text: Rc::clone(text),
-                        whole: it.text.whole,
-                        size: if it.text.whole { choice } else { stem },
-                        gap: gap + u16::from(it.text.share.is_some()),
-                    });
-                    let texts: Vec<_> = texts.collect();
-                    layouts.iter().find_map(|layout| {
-                        let rows = layout.words.height.saturating_sub(foot);
-                        let pages = BigPages::set(&texts, [(layout.words.width, rows); 2], 1)?;
-                        Some(Self {
-                            texts: paragraphs.to_vec(),
-                            pages,
-                            size: stem,
-                            layouts: [*layout; 2],
-                        })
-                    })
-                })
+            .flat_map(|(i, choice)| sizes[i..].iter().map(move |stem| [*stem, *choice]));
+        let styles = pairs.flat_map(|sizes| {
+            GAPS.map(|gap| PageStyle {
+        });
+        let styles: Vec<_> = styles.collect();
+        Self::best(paragraphs, setting, &styles, &layouts, 1)
+    }
+
+    /// Sets paragraphs on as few pages as possible, in the first of the `styles` and then in the
+    /// first of the `layouts` with which that is possible. Characters without a large form are spelt
+    /// out; `None` if that is not possible, if the text does not fit, or if there would be more than
+    /// `most` pages.
+    fn best(
+        paragraphs: &[PagedParagraph<'p>],
+        setting: PageSetting,
+        styles: &[PageStyle],
+        layouts: &[[VotePageLayout; 2]],
+        most: usize,
+    ) -> Option<Self> {
+        let has_bar = |it: &PagedParagraph| it.text.share.is_some();
+        let bar_below = u16::from(paragraphs.last().is_some_and(has_bar));
+        let placed = |words: &[Rc<BigText>], style: PageStyle, layouts: [VotePageLayout; 2]| {
+            let texts = { paragraphs.iter().zip(words) }.map(|(it, text)| BigParagraph {
+                text: Rc::clone(text),
+                whole: it.text.whole,
+                size: style.sizes[usize::from(it.text.whole)],
+                gap: style.gaps[usize::from(has_bar(it))],
+            });
+            let texts: Vec<_> = texts.collect();
+            let set = |foot: u16| {
+                let rows = |it: VotePageLayout| it.words.height.saturating_sub(bar_below + foot);
+                BigPages::set(&texts, layouts.map(|it| (it.words.width, rows(it))), most)
+            };
+            let pages = match set(setting.more.into()) {
+                Some(pages) if pages.count() == 1 => pages,
+                _ if most == 1 => return None,
+                // If there are several pages, the last row shows the page number.
+                _ => set(1)?,
+            };
+            Some(Self {
+                texts: paragraphs.to_vec(),
+                pages,
+                size: style.sizes[0],
+                layouts,
+            })
+        };
+        let spellings = [setting.look.charset, Charset::Ascii];
+        spellings.into_iter().find_map(|spelling| {
+            let word = |it: &PagedParagraph| BigText::new(it.shown, spelling).into();
+            let words: Vec<Rc<BigText>> = paragraphs.iter().map(word).collect();
+            let (words, placed) = (&words, &placed);
+            fewest_pages(styles.iter().flat_map(|style| {
+                let layouts = layouts.iter();
+                layouts.filter_map(move |layouts| placed(words, *style, *layouts))
+            }))
+        })
+                sizes,
+                gaps: [gap, gap + 1],
             })
     }
 }
@@ -488,8 +452,7 @@ impl VotePageLayout {
             let picture = picture.inner(Margin::new(1, 1));
             return Self { picture, words };
         }
-        let is_portrait = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
-        if is_portrait {
+        if areas::is_portrait(area) {
             let rows = (area.width / 2).min(area.height / 5 * 3) * tenths / 10;
             let [picture, words] = areas::upper(area, rows);
             let [_, words] = areas::left(words, APART);
@@ -505,18 +468,6 @@ impl VotePageLayout {
     }
 }
 
-/// The paragraphs split into words, spelt in a character set.
-fn spelt(paragraphs: &[PagedParagraph], spelling: Charset) -> Vec<Rc<BigText>> {
-    let words = { paragraphs.iter() }.map(|it| BigText::new(it.shown, spelling).into());
-    words.collect()
-}
-
-/// The number of rows for a bar below the last paragraph: 1, or 0 if there is no bar.
-fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
-    let last = paragraphs.last();
-    last.is_some_and(|it| it.text.share.is_some()).into()
-}
-
 /// The first layout with the fewest pages, where a layout in which any page ends early counts as
 /// one page longer. The search stops at the first layout with a single page.
 fn fewest_pages<'p>(all: impl Iterator<Item = PagedText<'p>>) -> Option<PagedText<'p>> {
@@ -529,6 +480,41 @@ fn fewest_pages<'p>(all: impl Iterator<Item = PagedText<'p>>) -> Option<PagedTex
         if best.as_ref().is_none_or(|it| cost(&placed) < cost(it)) {
             best = Some(placed);
         }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    impl PlacedPages<'_> {
+        /// For each part: the size of its letters, the number of letters, the number of pages, and
+        /// the area of the picture on the first page.
+        pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
+            self.parts.iter().map(|part| {
+                let letters = part.texts.iter().map(|it| it.shown.chars().count());
+                (
+                    part.size,
+                    letters.sum(),
+                    part.count(),
+                    part.layouts[0].picture,
+                )
+            })
+        }
+
+        /// Whether the first page shows all choices with their bars.
+        pub(crate) fn begins_with_all_choices(&self) -> bool {
+            let Some(part) = self.parts.first() else {
+                return false;
+            };
+            let area = part.layout(0).words;
+            part.texts.iter().enumerate().all(|(number, it)| {
+                let mut ends = part.pages.page(0).iter();
+                let end = ends.find(|part| part.paragraph == number && part.ends);
+                let has_bar = end.map(|end| !end.split(area)[1].is_empty());
+                !it.text.whole || has_bar.is_some_and(|has| has || it.text.share.is_none())
+            })
+        }
+    }
+}
     }
     best
 }

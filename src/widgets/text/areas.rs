@@ -69,12 +69,16 @@ pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     if let Some(sizes) = room.pictures {
         return sized_picture_and_panel(area, sizes.any);
     }
-    let is_portrait = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
-    if is_portrait && panel_columns < area.width {
+    if is_portrait(area) && panel_columns < area.width {
         let square = (area.width.saturating_sub(2) / 2).saturating_add(2);
         return upper(area, square.min(area.height / 5 * 3));
     }
     left(area, area.width.saturating_sub(panel_columns))
+}
+
+/// Whether an area is so narrow that text belongs below a picture rather than beside it.
+pub(crate) fn is_portrait(area: Rect) -> bool {
+    4 * u32::from(area.height) >= 3 * u32::from(area.width)
 }
 
 /// The middle of an area, at most `columns` columns wide.

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::ops::Range;
 
 use super::strokes::{self, LetterRows};
-use super::{BLANK, Ink, LetterSize, pixels_of};
+use super::{BLANK, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::{self, terms};
 
@@ -72,11 +72,7 @@ impl BigText {
                 parts.push((word..word + 1, width));
             }
         }
-        let blank = match size {
-            LetterSize::Strokes => strokes::BLANK,
-            LetterSize::Plain => 1,
-            _ => size.columns(BLANK),
-        };
+        let blank = size.columns(size.blank());
         let mut lines: Vec<(Range<usize>, usize)> = Vec::new();
         for (part, width) in parts {
             match lines.last_mut() {
@@ -92,34 +88,22 @@ impl BigText {
 
     /// The width of words on one line, in columns.
     pub(super) fn columns(&self, words: Range<usize>, size: LetterSize) -> Option<usize> {
-        let blanks = words.len().saturating_sub(1);
+        let blanks = words.len().saturating_sub(1) * size.blank();
         let mut words = self.words[words].iter();
-        match size {
-            LetterSize::Plain => {
-                Some(words.map(|it| text::width(&it.text)).sum::<usize>() + blanks)
-            }
-            LetterSize::Strokes => {
-                let letters = words.try_fold(0, |sum, it| Some(sum + it.strokes()?[0].len()));
-                Some(letters? + blanks * strokes::BLANK)
-            }
-            _ => {
-                let letters = words.try_fold(0, |sum, it| Some(sum + it.pixels()?.len()));
-                Some(size.columns(letters? + blanks * BLANK))
-            }
-        }
+        let letters = words.try_fold(0, |sum, it| Some(sum + it.length(size)?));
+        Some(size.columns(letters? + blanks))
     }
 
-    pub(super) fn ink(&self, words: Range<usize>, size: LetterSize) -> Option<Ink> {
-        if size == LetterSize::Strokes {
-            return self.strokes(words).map(Ink::Strokes);
-        }
-        let words = self.words[words].iter();
-        if size == LetterSize::Plain {
-            let words: Vec<&str> = words.map(|it| it.text.as_str()).collect();
-            return Some(Ink::Plain(words.join(" ")));
-        }
-        let words: Option<Vec<&[u8]>> = words.map(|it| it.pixels().map(Vec::as_slice)).collect();
-        Some(Ink::Pixels(words?.join(&[0; BLANK][..])))
+    /// A line of words in plain type.
+    pub(super) fn plain(&self, words: Range<usize>) -> String {
+        let words: Vec<&str> = self.words[words].iter().map(|it| &*it.text).collect();
+        words.join(" ")
+    }
+
+    /// A line of words in letters made of pixels.
+    pub(super) fn pixels(&self, words: Range<usize>) -> Option<Vec<u8>> {
+        let words: Option<Vec<_>> = self.words[words].iter().map(BigWord::pixels).collect();
+        Some(words?.join(&[0; BLANK][..]))
     }
 
     /// A line of words in letters made of strokes.
@@ -130,9 +114,18 @@ impl BigText {
 }
 
 impl BigWord {
-    fn pixels(&self) -> Option<&Vec<u8>> {
+    /// The length of the word at a size, in the unit of [`LetterSize::columns`].
+    fn length(&self, size: LetterSize) -> Option<usize> {
+        Some(match size {
+            LetterSize::Plain => text::width(&self.text),
+            LetterSize::Strokes => self.strokes()?[0].len(),
+            _ => self.pixels()?.len(),
+        })
+    }
+
+    fn pixels(&self) -> Option<&[u8]> {
         let pixels = self.pixels.get_or_init(|| pixels_of(&self.text));
-        pixels.as_ref()
+        pixels.as_deref()
     }
 
     fn strokes(&self) -> Option<&LetterRows> {

@@ -18,12 +18,11 @@ use std::rc::Rc;
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::widgets::text::blocks::{QUARTERS, braille};
-use crate::widgets::{Charset, Look, Role};
+use crate::widgets::{Charset, Look, Role, areas, text};
 use letters::pixels_of;
 pub(crate) use measured::BigText;
 pub(crate) use pages::{BigPages, BigParagraph};
 pub(crate) use size::LetterSize;
-use strokes::LetterRows;
 
 /// The number of pixels between two letters.
 const GAP: usize = 1;
@@ -63,13 +62,6 @@ struct BigLine {
     left_out: usize,
 }
 
-/// What letters are made of.
-enum Ink {
-    Pixels(Vec<u8>),
-    Strokes(LetterRows),
-    Plain(String),
-}
-
 impl Big {
     /// Sets a name or a heading in the largest letters that fit into `columns` columns and `rows`
     /// rows, broken at spaces; `None` if the text does not fit at all or contains letters without a
@@ -88,7 +80,8 @@ impl Big {
     ) -> Option<Vec<Self>> {
         let texts = { texts.iter() }.map(|text| Rc::new(BigText::new(text, charset)));
         let texts: Vec<_> = texts.collect();
-        LetterSize::of_name(charset).iter().find_map(|size| {
+        let sizes = LetterSize::of_text(charset).iter();
+        sizes.filter(|size| size.is_of_names()).find_map(|size| {
             let set = |text| Self::set(text, *size, columns).filter(|big| big.rows() <= rows);
             texts.iter().map(set).collect()
         })
@@ -174,48 +167,57 @@ impl Big {
     /// Draws the text at the top of an area.
     pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
-        for (i, line) in self.lines.iter().enumerate() {
-            let Some(ink) = self.text.ink(line.words.clone(), self.size) else {
-                continue;
-            };
-            let width = line.columns;
-            let free = usize::from(area.width).saturating_sub(width);
+        for (number, line) in self.lines.iter().enumerate() {
+            let free = usize::from(area.width).saturating_sub(line.columns);
             let start = match align {
                 Align::Left => 0,
                 Align::Centre => free / 2,
                 Align::Right => free,
             };
-            if let Ink::Plain(words) = &ink {
-                let y = area.y.saturating_add(line.rows.start as u16);
-                if y < area.bottom() && start < area.width.into() {
-                    let room = usize::from(area.width) - start;
-                    buf.set_stringn(area.x + start as u16, y, words, room, style);
-                }
-                continue;
-            }
-            for (row, y) in (line.left_out..).zip(line.rows.clone()) {
-                for column in 0..width {
-                    let symbol = match &ink {
-                        Ink::Pixels(pixels) => {
-                            let above = self.size.pixels_above(i);
-                            symbol(pixels, column, row, above, self.size, look.charset)
-                        }
-                        Ink::Strokes(rows) => rows[row][column],
-                        Ink::Plain(_) => ' ',
-                    };
-                    let x = start + column;
-                    if x >= area.width.into() || y >= area.height.into() {
-                        continue;
+            let rows = self.symbols(number, line, look.charset).unwrap_or_default();
+            for (row, y) in rows.iter().zip(line.rows.clone()) {
+                let [_, place] = areas::upper(area, y as u16);
+                let mut column = start;
+                // Lines of strokes may share rows, so the spaces of large letters are left out.
+                let is_blank = |c| c == ' ' && self.size != LetterSize::Plain;
+                for letters in row.split_inclusive(is_blank) {
+                    let [_, place] = areas::left(place, column as u16);
+                    let place = place.intersection(buf.area);
+                    if !place.is_empty() {
+                        let (letters, room) = (letters.trim_end_matches(' '), place.width.into());
+                        buf.set_stringn(place.x, place.y, letters, room, style);
                     }
-                    let at = (area.x + x as u16, area.y + y as u16);
-                    if symbol != ' '
-                        && let Some(cell) = buf.cell_mut(at)
-                    {
-                        cell.set_char(symbol).set_style(style);
-                    }
+                    column += text::width(letters);
                 }
             }
         }
+    }
+
+    /// The rows of characters that make up a line, whose number is counted from 0.
+    fn symbols(&self, number: usize, line: &BigLine, charset: Charset) -> Option<Vec<String>> {
+        let words = line.words.clone();
+        let rows = line.left_out..line.left_out + line.rows.len();
+        Some(match self.size {
+            LetterSize::Plain => vec![self.text.plain(words)],
+            LetterSize::Strokes => {
+                let strokes = self.text.strokes(words)?;
+                strokes[rows]
+                    .iter()
+                    .map(|row| row.iter().collect())
+                    .collect()
+            }
+            size => {
+                let pixels = self.text.pixels(words)?;
+                let above = size.pixels_above(number);
+                let symbol = |row, column| symbol(&pixels, column, row, above, size, charset);
+                rows.map(|row| {
+                    (0..line.columns)
+                        .map(|column| symbol(row, column))
+                        .collect()
+                })
+                .collect()
+            }
+        })
     }
 }
 
@@ -324,10 +326,11 @@ mod tests {
         let shown = |rows: u16, page| {
             let mut buf = Buffer::empty(Rect::new(0, 0, 30, rows));
             let pages = pages(rows).unwrap();
-            pages
-                .page(page)
-                .unwrap()
-                .draw(buf.area, &mut buf, &look, |_| Role::Title);
+            for part in pages.page(page) {
+                let [area, _] = part.split(buf.area);
+                part.big
+                    .draw(area, &mut buf, &look, Role::Title, Align::Left);
+            }
             (pages.count(), text(&buf))
         };
         // The second line begins in the middle of a row.

@@ -1,17 +1,16 @@
 //! Long text in large type, on as many pages as necessary.
 
-use std::ops::Range;
 use std::rc::Rc;
 
-use ratatui::{buffer::Buffer, layout::Rect};
+use ratatui::layout::Rect;
 
-use super::{Align, Big, BigText, LetterSize};
-use crate::widgets::{Look, Role, areas};
+use super::{Big, BigText, LetterSize};
+use crate::widgets::areas;
 
 /// Paragraphs in large letters, divided into pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct BigPages {
-    pages: Vec<BigPage>,
+    pages: Vec<Vec<BigPart>>,
     /// Whether a page ends early, because the next word is too long for its lines.
     pub(crate) ends_early: bool,
 }
@@ -27,22 +26,16 @@ pub(crate) struct BigParagraph {
     pub(crate) gap: u16,
 }
 
-/// The contents of a page.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct BigPage {
-    parts: Vec<BigPart>,
-    /// The number of rows used, including the gap below the last paragraph.
-    taken: u16,
-}
-
 /// A paragraph on a page, or the part of a paragraph that fits on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct BigPart {
+pub(crate) struct BigPart {
+    /// The index of the paragraph.
+    pub(crate) paragraph: usize,
+    /// The first row.
     row: u16,
-    paragraph: usize,
-    big: Big,
+    pub(crate) big: Big,
     /// Whether the paragraph ends on this page.
-    ends: bool,
+    pub(crate) ends: bool,
 }
 
 impl BigPages {
@@ -56,7 +49,9 @@ impl BigPages {
         [first, rest]: [(u16, u16); 2],
         most: usize,
     ) -> Option<Self> {
-        let mut pages = vec![BigPage::default()];
+        let mut pages: Vec<Vec<BigPart>> = vec![Vec::new()];
+        // The rows used on the last page, including the gap below the last paragraph.
+        let mut taken = 0;
         let mut ends_early = false;
         for (paragraph, it) in paragraphs.iter().enumerate() {
             let (text, size) = (&it.text, it.size);
@@ -67,8 +62,8 @@ impl BigPages {
                 }
                 let (columns, rows) = if pages.len() == 1 { first } else { rest };
                 let page = pages.last_mut()?;
-                let room = rows.saturating_sub(page.taken);
-                let is_fresh = page.parts.is_empty();
+                let room = rows.saturating_sub(taken);
+                let is_fresh = page.is_empty();
                 let mut big = Big::begin(text, from, size, (columns, room), is_fresh)?;
                 let fits = big.lines_in(room);
                 let too_long = fits == big.lines.len() && from + big.words() < text.len();
@@ -83,21 +78,23 @@ impl BigPages {
                     if is_fresh && pages.len() > 1 {
                         return None;
                     }
-                    pages.push(BigPage::default());
+                    pages.push(Vec::new());
+                    taken = 0;
                     continue;
                 }
                 big.lines.truncate(most);
                 from += big.words();
-                let part = BigPart {
-                    row: page.taken,
+                let (row, ends) = (taken, from == text.len());
+                taken += big.rows() + it.gap;
+                page.push(BigPart {
                     paragraph,
-                    ends: from == text.len(),
+                    row,
                     big,
-                };
-                page.taken += part.big.rows() + it.gap;
-                page.parts.push(part);
-                if from < text.len() {
-                    pages.push(BigPage::default());
+                    ends,
+                });
+                if !ends {
+                    pages.push(Vec::new());
+                    taken = 0;
                 }
             }
         }
@@ -109,37 +106,18 @@ impl BigPages {
         self.pages.len()
     }
 
-    /// The page with this number, counted from 0; if there are fewer pages, the last page.
-    pub(crate) fn page(&self, number: usize) -> Option<&BigPage> {
-        self.pages.get(number.min(self.count().saturating_sub(1)))
+    /// The parts of the page with this number, counted from 0; if there are fewer pages, those of
+    /// the last page.
+    pub(crate) fn page(&self, number: usize) -> &[BigPart] {
+        let page = self.pages.get(number).or_else(|| self.pages.last());
+        page.map_or(&[], Vec::as_slice)
     }
 }
 
-impl BigPage {
-    /// Draws the page, with each paragraph in its role; returns the row below each paragraph that
-    /// ends on this page.
-    pub(crate) fn draw(
-        &self,
-        area: Rect,
-        buf: &mut Buffer,
-        look: &Look,
-        role: impl Fn(usize) -> Role,
-    ) -> Vec<(usize, u16)> {
-        let mut ends = Vec::new();
-        for part in &self.parts {
-            let [_, place] = areas::upper(area, part.row);
-            part.big
-                .draw(place, buf, look, role(part.paragraph), Align::Left);
-            if part.ends {
-                ends.push((part.paragraph, part.row + part.big.rows()));
-            }
-        }
-        ends
-    }
-
-    /// The paragraphs on the page, each with the rows that it occupies.
-    pub(crate) fn places(&self) -> impl Iterator<Item = (usize, Range<u16>)> + '_ {
-        let rows = |part: &BigPart| part.row..part.row + part.big.rows();
-        { self.parts.iter() }.map(move |part| (part.paragraph, rows(part)))
+impl BigPart {
+    /// The area of the part on a page, and the area below it.
+    pub(crate) fn split(&self, page: Rect) -> [Rect; 2] {
+        let [_, area] = areas::upper(page, self.row);
+        areas::upper(area, self.big.rows())
     }
 }

@@ -1,6 +1,6 @@
 //! The sizes of letters in large type.
 
-use super::{CAPITAL, HEIGHT, SMALL_LETTER, strokes};
+use super::{BLANK, CAPITAL, HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
 /// A lower-case letter such as x is legible from the back row if its height is at least the height
@@ -41,17 +41,9 @@ impl LetterSize {
         }
     }
 
-    /// The sizes for a name or a heading.
-    pub(super) const fn of_name(charset: Charset) -> &'static [Self] {
-        match charset {
-            Charset::Ascii => &[Self::Large, Self::Middle],
-            Charset::Unicode => &[Self::Large, Self::Middle, Self::Small],
-        }
-    }
-
     /// Whether names and headings can have this size.
-    pub(crate) fn is_of_names(self, charset: Charset) -> bool {
-        Self::of_name(charset).contains(&self)
+    pub(crate) const fn is_of_names(self) -> bool {
+        matches!(self, Self::Large | Self::Middle | Self::Small)
     }
 
     /// The sizes that are legible from the back row on a screen with `screen_rows` rows, largest
@@ -123,12 +115,22 @@ impl LetterSize {
         }
     }
 
-    /// The number of columns that `pixels` pixels occupy.
-    pub(super) const fn columns(self, pixels: usize) -> usize {
+    /// The width of a space between two words, in the unit of [`Self::columns`].
+    pub(super) const fn blank(self) -> usize {
         match self {
-            Self::Small | Self::Dots => pixels.div_ceil(2),
-            Self::Middle | Self::Strokes | Self::Plain => pixels,
-            Self::Large => 2 * pixels,
+            Self::Plain => 1,
+            Self::Strokes => strokes::BLANK,
+            Self::Dots | Self::Small | Self::Middle | Self::Large => BLANK,
+        }
+    }
+
+    /// The number of columns that text of this length occupies. Plain text and strokes are measured
+    /// in columns, all other letters in pixels.
+    pub(super) const fn columns(self, length: usize) -> usize {
+        match self {
+            Self::Small | Self::Dots => length.div_ceil(2),
+            Self::Middle | Self::Strokes | Self::Plain => length,
+            Self::Large => 2 * length,
         }
     }
 }
