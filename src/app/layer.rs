@@ -4,7 +4,8 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::game::Rules;
 use crate::messages::Key;
-use crate::screens::{Confirmation, Route};
+use crate::screens::Confirmation;
+use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
 #[derive(Debug, Clone)]
@@ -39,16 +40,6 @@ pub(super) enum LayerAction {
     Decline,
 }
 
-/// How a layer was closed.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum LayerDone {
-    /// The help page or the notice was closed, or the player declined.
-    Closed,
-    Agreed,
-    /// The player wants to look something up.
-    LookUp(Route),
-}
-
 impl AppLayer {
     /// The keys for the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
@@ -70,20 +61,22 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    /// Handles a key; if the key closes the layer, returns how. `most` is the number of lines by
-    /// which a help page can be scrolled.
-    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Option<LayerDone> {
+    /// Handles a key; if the key closes the layer, returns `Done` with the key's action, if it has
+    /// one. `most` is the number of lines by which a help page can be scrolled.
+    pub(super) fn press(
+        &mut self,
+        key: Key,
+        most: u16,
+        rebound: &Rebound,
+    ) -> Outcome<Option<LayerAction>> {
         let action = self.keys(rebound).find(key);
         match (self, action) {
             (Self::Help { scrolled, .. }, Some(LayerAction::Scroll(by))) => {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);
-                None
+                Outcome::Used
             }
-            (Self::Confirm(_) | Self::Leave(_), None) => None,
-            (_, Some(LayerAction::Glossary)) => Some(LayerDone::LookUp(Route::Glossary)),
-            (_, Some(LayerAction::Rules(rules))) => Some(LayerDone::LookUp(Route::Rules(rules))),
-            (_, Some(LayerAction::Agree)) => Some(LayerDone::Agreed),
-            _ => Some(LayerDone::Closed),
+            (Self::Confirm(_) | Self::Leave(_), None) => Outcome::Used,
+            _ => Outcome::Done(action),
         }
     }
 }

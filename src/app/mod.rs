@@ -41,9 +41,9 @@ use crate::screens::{
     teacher::Teacher,
 };
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Palette, PictureSizes};
+use crate::widgets::{Outcome, Palette, PictureSizes};
 
-use layer::{AppLayer, LayerDone};
+use layer::{AppLayer, LayerAction};
 
 /// The smallest size, in columns and rows, of a screen that is drawn; on a smaller one, a single
 /// line states this size.
@@ -429,21 +429,24 @@ impl App {
         let Some(layer) = self.layers.last_mut() else {
             return self.with_screen(|screen, cx| screen.press(key, cx));
         };
-        let Some(done) = layer.press(key, most, &self.context.settings.keys) else {
+        let Outcome::Done(action) = layer.press(key, most, &self.context.settings.keys) else {
             return;
         };
-        match (self.layers.pop(), done) {
-            (_, LayerDone::Closed) => {}
-            // The page may already be open below the layer.
-            (_, LayerDone::LookUp(route)) => {
-                self.with_screen(|screen, cx| match screen.route(cx) == route {
-                    true => Next::Stay,
-                    false => Next::Open(route),
-                });
-            }
-            (Some(AppLayer::Leave(_)), LayerDone::Agreed) => self.has_quit = true,
-            (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
+        match (self.layers.pop(), action) {
+            (_, Some(LayerAction::Glossary)) => self.look_up(Route::Glossary),
+            (_, Some(LayerAction::Rules(rules))) => self.look_up(Route::Rules(rules)),
+            (Some(AppLayer::Leave(_)), Some(LayerAction::Agree)) => self.has_quit = true,
+            (_, Some(LayerAction::Agree)) => self.with_screen(|screen, cx| screen.confirmed(cx)),
+            _ => {}
         }
+    }
+
+    /// Opens a page over the screen, unless it is the screen.
+    fn look_up(&mut self, route: Route) {
+        self.with_screen(|screen, cx| match screen.route(cx) == route {
+            true => Next::Stay,
+            false => Next::Open(route),
+        });
     }
 
     /// Passes an input to the topmost screen or, if that screen ignores the input, to the screen of
