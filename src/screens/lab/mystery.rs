@@ -92,7 +92,7 @@ impl Mystery {
                 panel.paragraph(text, Role::Text);
                 panel.gap();
                 let typed = format!("{}_ g", self.entry.text());
-                panel.field("mass", typed, (Role::Text, true), None);
+                panel.field("mass", (typed, false), (Role::Text, true), None);
                 match self.entry.is_open() {
                     true => panel.prompt("weigh it", EntryAction::Enter),
                     false => panel.paragraph("Type the mass in grams.", Role::Key),

@@ -391,18 +391,17 @@ impl SettingsForm {
         let selected = self.selected(fields.len());
         for (i, field) in fields.into_iter().enumerate() {
             let is_selected = i == selected;
-            let marked = (Role::Dim, is_selected);
             let action = Some(FormAction::Point(i));
             if let FieldValue::Text(_) = field.value {
                 let line = self.line(form).filter(|_| is_selected);
                 let typed = line.as_ref().map(TextField::around_cursor);
                 let typed = typed.unwrap_or((&field.shown, ""));
                 panel.text_field(format!("{} ", field.name), typed, is_selected, action);
-            } else if field.locked.is_some() {
-                panel.locked_field(field.name, field.shown, marked, action);
             } else {
                 let typed = self.entry.shown().filter(|_| is_selected);
-                panel.field(field.name, typed.unwrap_or(field.shown), marked, action);
+                let shown = typed.unwrap_or(field.shown);
+                let marked = (Role::Dim, is_selected);
+                panel.field(field.name, (shown, field.locked.is_some()), marked, action);
             }
         }
     }

@@ -125,7 +125,7 @@ impl NumberInput {
             Measure::Own { sign, .. } => format!("{sign} ="),
             _ => name.into(),
         };
-        panel.field(name, self.shown(), (Role::Text, true), None);
+        panel.field(name, (self.shown(), false), (Role::Text, true), None);
         if self.refused {
             let [least, most] = [self.range.0, self.range.1]
                 .map(|end| with_unit(&true_minus(&short(end, 3)), self.quantity.unit()));

@@ -193,7 +193,7 @@ impl RayInput {
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
             let chosen = ray == self.turning;
             let action = Some(RayAction::Choose(ray));
-            panel.field(name, self.shown(ray), (Role::Text, chosen), action);
+            panel.field(name, (self.shown(ray), false), (Role::Text, chosen), action);
         }
     }
 

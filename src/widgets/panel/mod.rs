@@ -502,34 +502,19 @@ impl<A> Panel<A> {
         self.push(Content::Working(line.into()));
     }
 
-    /// Adds a setting, with a name, a value as text, and the action triggered by clicking it.
+    /// Adds a setting, with a name, a value as text, whether it is locked (cannot be changed at
+    /// present), and the action triggered by clicking it.
     pub(crate) fn field(
         &mut self,
         name: impl Into<String>,
-        value: impl Into<String>,
+        (value, locked): (impl Into<String>, bool),
         (role, chosen): (Role, bool),
         action: Option<A>,
     ) {
         let content = Content::Field {
             name: Run::new(name, role),
             value: value.into(),
-            locked: false,
-        };
-        self.push_with(content, Some(chosen), action);
-    }
-
-    /// Adds a setting that cannot be changed at present.
-    pub(crate) fn locked_field(
-        &mut self,
-        name: impl Into<String>,
-        value: impl Into<String>,
-        (role, chosen): (Role, bool),
-        action: Option<A>,
-    ) {
-        let content = Content::Field {
-            name: Run::new(name, role),
-            value: value.into(),
-            locked: true,
+            locked,
         };
         self.push_with(content, Some(chosen), action);
     }

@@ -90,7 +90,7 @@ fn adjacent_gaps_are_merged_and_there_is_none_at_the_top() {
 #[test]
 fn a_click_on_a_field_or_a_prompt_carries_out_its_action() {
     let mut panel = Panel::new("");
-    panel.field("mass", "5.5 g", (Role::Text, true), Some('m'));
+    panel.field("mass", ("5.5 g", false), (Role::Text, true), Some('m'));
     panel.prompts([("weigh it", 'w'), ("leave it alone", 'l')]);
     assert_eq!(
         drawn(&panel, 4, 0)[1..4],
