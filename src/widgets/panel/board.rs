@@ -1,6 +1,5 @@
 //! Names with their scores, in the largest letters that fit.
 
-use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::flow::Run;
 use crate::widgets::{Lines, Role, Words, text};
@@ -54,13 +53,9 @@ impl BoardRow {
             lines.big(&[(name, Align::Left), (points, Align::Right)]);
         });
         lines.skip_to(top + LETTERS);
-        let bar = bar(self.share, lines.width().saturating_sub(9), lines.charset());
-        let (bar, gain) = (
-            Run::new(bar, Role::Predicted),
-            Run::new(&self.gain, Role::Title),
-        );
-        let words = |_| Words::meter("", self.share, &self.gain, Role::Predicted);
-        lines.written_as(words, |lines| lines.pair(&bar, &gain));
+        let width = lines.width().saturating_sub(9);
+        let gain = Run::new(&self.gain, Role::Title);
+        lines.meter("", self.share, Role::Predicted, width, &gain);
         lines.skip_to(top + high.min(LARGE[1]));
     }
 
@@ -73,9 +68,8 @@ impl BoardRow {
         let [name, numbers] = [name, numbers].map(|text| Run::new(text, Role::Title));
         lines.pair(&name, &numbers);
         if high > 1 {
-            let bar = bar(self.share, lines.width().saturating_sub(1), lines.charset());
-            let words = |_| Words::meter("", self.share, "", Role::Predicted);
-            lines.written_as(words, |lines| lines.line(&bar, Role::Predicted));
+            let (width, nothing) = (lines.width().saturating_sub(1), Run::new("", Role::Text));
+            lines.meter("", self.share, Role::Predicted, width, &nothing);
         }
         lines.skip_to(top + high.clamp(1, 3));
     }

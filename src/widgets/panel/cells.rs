@@ -10,7 +10,7 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use super::pages::PlacedPages;
 use super::{Beside, Block, Content, Panel, TableColumn, TableRow, board};
-use crate::widgets::bar::{bar, stretch};
+use crate::widgets::bar::stretch;
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, text};
 
@@ -415,16 +415,11 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
             lines.written_as(words, |lines| lines.pair(&shown, &value));
         }
         Content::Meter { name, share, value } => {
-            let before = match name.as_str() {
-                "" => String::new(),
-                name => format!("{name}  "),
-            };
-            let beside = text::width(&before) + text::width(value).max(SHARE) + 2;
+            let gaps = if name.is_empty() { 2 } else { 4 };
+            let beside = text::width(name) + text::width(value).max(SHARE) + gaps;
             let width = lines.width().saturating_sub(beside as u16);
-            let bar = bar(*share, width, lines.charset());
-            let [bar, shown] = [&(before + &bar), value].map(|it| Run::new(it, Role::Text));
-            let words = |_| Words::meter(name, *share, value, Role::Text);
-            lines.written_as(words, |lines| lines.pair(&bar, &shown));
+            let value = Run::new(value, Role::Text);
+            lines.meter(name, *share, Role::Text, width, &value);
         }
         Content::Gauge {
             share,
@@ -433,14 +428,9 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
             meant: (from, to),
             name,
         } => {
-            let width = lines
-                .width()
-                .min(LONGEST_GAUGE)
-                .saturating_sub(BESIDE_GAUGE);
-            let full = Run::new(bar(*share, width, lines.charset()), *role);
-            let words = |_| Words::meter("", *share, value, *role);
-            let shown = Run::new(value, Role::Text);
-            lines.written_as(words, |lines| lines.pair(&full, &shown));
+            let widest = lines.width().min(LONGEST_GAUGE);
+            let width = widest.saturating_sub(BESIDE_GAUGE);
+            lines.meter("", *share, *role, width, &Run::new(value, Role::Text));
             let shares = format!("from {:.0} to {:.0} %", 100.0 * from, 100.0 * to);
             let stretch = stretch(*from, *to, width, lines.charset());
             let [name, shares, stretch] =

@@ -2,6 +2,7 @@
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
+use super::bar::bar;
 use super::big::{Align, Big};
 use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
@@ -263,6 +264,16 @@ impl<'a> Lines<'a> {
         self.put(0, &shown, name.role);
         self.put(column, &value.text, value.role);
         self.written += 1;
+    }
+
+    /// Writes a single row with a name, a bar that shows a fraction, `width` columns wide, and a
+    /// right-aligned value.
+    pub(crate) fn meter(&mut self, name: &str, share: f64, role: Role, width: u16, value: &Run) {
+        let gap = if name.is_empty() { "" } else { "  " };
+        let bar = bar(share, width, self.look.charset);
+        let bar = Run::new(format!("{name}{gap}{bar}"), role);
+        let words = |_| Words::meter(name, share, &value.text, role);
+        self.written_as(words, |lines| lines.pair(&bar, value));
     }
 
     /// Writes a single row with a name and right-aligned values in columns. The name has as much
