@@ -419,37 +419,30 @@ impl<A> Panel<A> {
     }
 
     /// Adds a name and a value, each in its own colour.
-    pub(crate) fn pair(
-        &mut self,
-        (name, name_role): (impl Into<String>, Role),
-        (value, value_role): (impl Into<String>, Role),
-    ) {
-        let name = Run::new(name, name_role);
-        self.push(Content::Fact(name, Run::new(value, value_role)));
+    pub(crate) fn pair(&mut self, name: impl Into<Run>, value: impl Into<Run>) {
+        self.push(Content::Fact(name.into(), value.into()));
     }
 
     /// Adds one row of a table: a name, and a value for each column.
-    pub(crate) fn columns<V: Into<String>>(
+    pub(crate) fn columns(
         &mut self,
-        (name, role): (impl Into<String>, Role),
-        values: impl IntoIterator<Item = (V, Role)>,
+        name: impl Into<Run>,
+        values: impl IntoIterator<Item = impl Into<Run>>,
     ) {
-        let values = values
-            .into_iter()
-            .map(|(value, role)| Run::new(value, role));
-        self.push(Content::Columns(Run::new(name, role), values.collect()));
+        let values = values.into_iter().map(Into::into).collect();
+        self.push(Content::Columns(name.into(), values));
     }
 
     /// Adds one of several items of a list, with a name, the text at the right edge, and the action
     /// triggered by clicking it.
     pub(crate) fn row(
         &mut self,
-        (name, role): (impl Into<String>, Role),
-        (side, side_role): (impl Into<String>, Role),
+        name: impl Into<Run>,
+        side: impl Into<Run>,
         chosen: bool,
         action: A,
     ) {
-        let content = Content::Row(Run::new(name, role), Run::new(side, side_role));
+        let content = Content::Row(name.into(), side.into());
         self.push_with(content, Some(chosen), [action]);
     }
 

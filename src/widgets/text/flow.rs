@@ -48,6 +48,12 @@ impl Run {
     }
 }
 
+impl<T: Into<String>> From<(T, Role)> for Run {
+    fn from((text, role): (T, Role)) -> Self {
+        Self::new(text, role)
+    }
+}
+
 /// A word, made of pieces without a space between them.
 type FlowWord = Vec<Run>;
 
