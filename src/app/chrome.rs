@@ -14,12 +14,8 @@ use crate::widgets::{Charset, Look, Role, SheetKind, areas, keys, sheet, text};
 
 /// The area of the current screen if the window has this size.
 pub(super) fn body(size: Rect) -> Rect {
-    Rect::new(
-        0,
-        1.min(size.height),
-        size.width,
-        size.height.saturating_sub(2),
-    )
+    let (top, rows) = (1.min(size.height), size.height.saturating_sub(2));
+    Rect::new(0, top, size.width, rows)
 }
 
 pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
@@ -98,25 +94,23 @@ fn key_line(
     look: Look,
 ) {
     let keys: Vec<_> = keys.filter(|(keys, _)| !keys.is_empty()).collect();
-    let pairs = keys.iter().map(|(keys, name)| (keys.as_str(), *name));
-    let pairs: Vec<_> = pairs.collect();
-    let line = keys::key_line(&pairs, area.width, &look);
+    let line = keys::key_line(&keys, area.width, &look);
     let row = Rect::new(area.x, area.bottom() - 1, area.width, 1);
     clear(row, buf, look);
     buf.set_line(row.x, row.y, &line, row.width);
 }
 
-fn panel_of(app: &App, layer: &AppLayer) -> Panel<LayerAction> {
-    let (title, words) = match layer {
-        AppLayer::Help { .. } => return help(app),
-        AppLayer::Notice(words) => ("please note", words),
+fn panel_of(app: &App, layer: &AppLayer) -> (SheetKind, Panel<LayerAction>) {
+    let (kind, title, words) = match layer {
+        AppLayer::Help { .. } => return (SheetKind::Help, help(app)),
+        AppLayer::Notice(words) => (SheetKind::Notice, "please note", words),
         AppLayer::Confirm(question) | AppLayer::Leave(question) => {
-            ("please choose", &question.text)
+            (SheetKind::Question, "please choose", &question.text)
         }
     };
     let mut panel = Panel::new(title);
     panel.paragraph(words, Role::Text);
-    panel
+    (kind, panel)
 }
 
 /// The help page for the topmost screen.
@@ -141,18 +135,18 @@ fn help(app: &App) -> Panel<LayerAction> {
 }
 
 /// The style in which a layer is drawn.
-fn writing(app: &App) -> Writing {
+fn writing(app: &App) -> Writing<'static, LayerAction> {
     Writing {
         look: app.settings().look(),
         pages: None,
+        key: &|_| None,
     }
 }
 
 /// How far the help page can be scrolled, in lines.
 pub(super) fn help_overflow(app: &App) -> u16 {
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
-    let writing = writing(app);
-    help(app).placed(inside, &writing, &|_| None).overflow()
+    help(app).placed(inside, &writing(app)).overflow()
 }
 
 /// Draws a layer. A help page covers the whole body, because only truncated words would be visible
@@ -160,24 +154,22 @@ pub(super) fn help_overflow(app: &App) -> u16 {
 /// visible.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);
-    let panel = panel_of(app, layer);
+    let (kind, panel) = panel_of(app, layer);
     let columns = centred(body);
-    let low = || {
-        let placed = panel.placed(columns.inner(Margin::new(1, 1)), &writing, &|_| None);
-        let height = (placed.rows() + 2).min(body.height / 2);
-        areas::upper(columns, columns.height.saturating_sub(height))[1]
-    };
-    let (kind, scrolled, frame) = match layer {
-        AppLayer::Help { scrolled, .. } => (SheetKind::Help, *scrolled, columns),
-        AppLayer::Notice(_) => (SheetKind::Notice, 0, low()),
-        AppLayer::Confirm(_) | AppLayer::Leave(_) => (SheetKind::Question, 0, low()),
+    let (scrolled, frame, covered) = match layer {
+        AppLayer::Help { scrolled, .. } => (*scrolled, columns, body),
+        AppLayer::Notice(_) | AppLayer::Confirm(_) | AppLayer::Leave(_) => {
+            let placed = panel.placed(columns.inner(Margin::new(1, 1)), &writing);
+            let height = (placed.rows() + 2).min(body.height / 2);
+            let [_, frame] = areas::upper(columns, columns.height.saturating_sub(height));
+            (0, frame, frame)
+        }
     };
     sheet::begin(kind, &panel.title, "");
     let look = writing.look;
-    let covered = if kind == SheetKind::Help { body } else { frame };
     clear(covered, buf, look);
     let inside = draw_panel(buf, frame, &panel.title, &look);
-    let placed = panel.placed(inside, &writing, &|_| None);
+    let placed = panel.placed(inside, &writing);
     placed.draw(scrolled, buf, &writing);
 }
 

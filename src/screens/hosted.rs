@@ -51,13 +51,9 @@ pub(crate) fn shared_keys() -> KeyTable<SharedAction> {
 /// The keys that scroll the panels of a view.
 fn view_keys() -> KeyTable<SharedAction> {
     use SharedAction::Scroll;
+    let pages = [-PAGE_ROWS, PAGE_ROWS];
     KeyTable::new("everywhere")
-        .by(
-            [Key::PageUp, Key::PageDown],
-            Scroll,
-            [-PAGE_ROWS, PAGE_ROWS],
-            "",
-        )
+        .by([Key::PageUp, Key::PageDown], Scroll, pages, "")
         .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
 }
 
@@ -110,7 +106,7 @@ const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
-    screen: S,
+    pub(super) screen: S,
     asked: Option<S::Action>,
     /// Whether the mouse button has been held down since a click chose something; until the button
     /// is released, the picture ignores the mouse.
@@ -148,11 +144,6 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    #[cfg(test)]
-    pub(super) fn screen(&self) -> &S {
-        &self.screen
-    }
-
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
         let own = own.with(view_keys(), Pressed::Shared);
@@ -180,23 +171,25 @@ impl<S: Screen> Hosted<S> {
         &self,
         view: &View<S::Action>,
         cx: &Context,
-        take: impl FnOnce(&PlacedView<S::Action>, &Writing) -> T,
+        take: impl FnOnce(&PlacedView<S::Action>, &Writing<S::Action>) -> T,
     ) -> T {
         let keys = self.keys(cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
         let look = cx.settings.look();
         let page = |rows| keys.key_of(&Pressed::Shared(SharedAction::Scroll(rows)));
-        let pages = match (page(-PAGE_ROWS), page(PAGE_ROWS)) {
-            (Some(back), Some(on)) => Some([back.to_string(), on.to_string()]),
-            _ => None,
+        let pages = page(-PAGE_ROWS).zip(page(PAGE_ROWS));
+        let pages = pages.map(|(back, on)| [back.to_string(), on.to_string()]);
+        let writing = Writing {
+            look,
+            pages,
+            key: &key,
         };
-        let writing = Writing { look, pages };
         // Only a picture can have a size that does not follow from the area.
         let room = match view.first {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
         };
-        let mut placed = view.placed(room, &writing, &key);
+        let mut placed = view.placed(room, &writing);
         for it in &mut placed.panels {
             it.rows = self.scrolled(it.panel, &it.placed);
             if let Some(pages) = it.placed.pages() {
@@ -390,10 +383,8 @@ impl<S: Screen> AnyScreen for Hosted<S> {
     }
 
     fn targets(&self, cx: &Context) -> Vec<Rect> {
-        self.actions(cx)
-            .into_iter()
-            .map(|(cells, _)| cells)
-            .collect()
+        let actions = self.actions(cx).into_iter();
+        actions.map(|(cells, _)| cells).collect()
     }
 
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next {

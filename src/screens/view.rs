@@ -152,10 +152,8 @@ impl<'s, A: Copy> View<'s, A> {
 
     /// This view with a picture in which something can be dragged.
     pub(super) fn dragging(self, drag: impl Into<Option<&'static str>>) -> Self {
-        Self {
-            drag: drag.into(),
-            ..self
-        }
+        let drag = drag.into();
+        Self { drag, ..self }
     }
 
     /// The titles of both parts, with a mark before the one that receives keys.
@@ -172,14 +170,9 @@ impl<'s, A: Copy> View<'s, A> {
         [marked(first, true), marked(&self.second.title, false)]
     }
 
-    /// Lays the view out in `room`; `key` returns the name of the key for an action.
-    pub(super) fn placed(
-        &self,
-        room: Room,
-        writing: &Writing,
-        key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A> {
-        let under = |small: bool| self.placed_under(small, room, writing, key);
+    /// Lays the view out in `room`.
+    pub(super) fn placed(&self, room: Room, writing: &Writing<A>) -> PlacedView<'_, A> {
+        let under = |small: bool| self.placed_under(small, room, writing);
         let large = under(false);
         // A small heading leaves more rows for the pages. The large heading is used only if the
         // pages look just as good with it.
@@ -194,18 +187,13 @@ impl<'s, A: Copy> View<'s, A> {
         }
     }
 
-    fn placed_under(
-        &self,
-        small_heading: bool,
-        room: Room,
-        writing: &Writing,
-        key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A> {
+    /// Lays the view out in `room`, with a `small` or a large heading.
+    fn placed_under(&self, small: bool, room: Room, writing: &Writing<A>) -> PlacedView<'_, A> {
         let look = &writing.look;
         let [above, area] = areas::upper(room.area, self.tabs.is_some().into());
         let heading = self.heading.as_ref();
-        let rest = heading.map_or(area, |it| it.rest(area, look, small_heading));
-        let foot = { self.foot.as_ref() }.map(|foot| (foot, foot.placed(rest, writing, key)));
+        let rest = heading.map_or(area, |it| it.rest(area, look, small));
+        let foot = { self.foot.as_ref() }.map(|foot| (foot, foot.placed(rest, writing)));
         let foot_rows = foot.as_ref().map_or(0, |(_, it)| it.rows());
         let [middle, below] = areas::upper(rest, rest.height.saturating_sub(foot_rows));
         let middle = Room {
@@ -215,14 +203,14 @@ impl<'s, A: Copy> View<'s, A> {
         let (layout, second) = match &self.layout {
             Layout::At(layout) => {
                 let layout = layout(middle);
-                (layout, self.second.placed(layout.panel, writing, key))
+                (layout, self.second.placed(layout.panel, writing))
             }
             Layout::ForTheBackRow(beside) => {
                 let rows = room.area.height;
                 let paged = self.second.paged(*beside, middle, rows, writing);
                 let second = paged.unwrap_or_else(|| {
                     let column = areas::middle(middle.area, WIDEST);
-                    self.second.placed(column, writing, key)
+                    self.second.placed(column, writing)
                 });
                 let [picture, words] = match (second.pages(), beside) {
                     (Some(pages), _) => pages.places(0),
@@ -241,17 +229,17 @@ impl<'s, A: Copy> View<'s, A> {
             area,
             rows: 0,
         };
-        let tabs = { self.tabs.as_ref() }.map(|it| at(it, it.placed(above, writing, key), above));
+        let tabs = { self.tabs.as_ref() }.map(|it| at(it, it.placed(above, writing), above));
         let first = self.first.panel().map(|it| {
             let place = layout.picture;
-            at(it, it.placed(place, writing, key), place)
+            at(it, it.placed(place, writing), place)
         });
         let second = at(&self.second, second, layout.panel);
         let foot = foot.map(|(foot, placed)| at(foot, placed.moved(below), below));
         let panels = tabs.into_iter().chain(first).chain([second]).chain(foot);
         PlacedView {
             area,
-            small_heading,
+            small_heading: small,
             layout,
             panels: panels.collect(),
         }

@@ -67,9 +67,10 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
     let writing = Writing {
         look: cx.settings.look(),
         pages: None,
+        key: &|_| None,
     };
     let view = play.view(cx);
-    let placed = view.placed(cx.room(), &writing, &|_| None);
+    let placed = view.placed(cx.room(), &writing);
     let mut faults = Vec::new();
     let mut fault = |what: &str| {
         let (code, number) = (play.stage.round().code(), play.stage.number() + 1);
@@ -212,9 +213,10 @@ impl OnePages {
                 let writing = Writing {
                     look: cx.settings.look(),
                     pages: None,
+                    key: &|_| None,
                 };
                 let view = play.view(&cx);
-                let placed = view.placed(cx.room(), &writing, &|_| None);
+                let placed = view.placed(cx.room(), &writing);
                 let fits = placed
                     .pages()
                     .is_some_and(|it| it.begins_with_all_choices());

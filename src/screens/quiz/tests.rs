@@ -169,7 +169,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
         look(&mut sitting, "How sure are you?");
         sitting.press("2$");
         look(&mut sitting, "of 10 points");
-        assert_eq!(sitting.quiz.screen().answers.len(), 1);
+        assert_eq!(sitting.quiz.screen.answers.len(), 1);
     }
 }
 
@@ -193,17 +193,17 @@ fn after_a_wrong_shot_the_right_one_is_shown() {
     assert!(screen.contains("the shot that does it"), "{screen}");
     assert!(screen.contains("v2 = 3.46 m/s"), "4 cos 30 deg\n{screen}");
     sitting.press("\n");
-    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen.phase, QuizPhase::Asked(_)));
     // After a correct shot, no correction is shown.
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("15\n3$\n");
-    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen.phase, QuizPhase::Asked(_)));
 }
 
 #[test]
 fn the_coin_can_be_dragged_to_set_the_offset() {
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
-    let offset = |sitting: &TestRound| match &sitting.quiz.screen().phase {
+    let offset = |sitting: &TestRound| match &sitting.quiz.screen.phase {
         QuizPhase::Asked(asked) => asked.asking.input().said(),
         _ => None,
     };
@@ -247,13 +247,13 @@ fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
     let screen = sitting.screen();
     assert!(screen.contains("of 10 points"), "{screen}");
     sitting.press("\n");
-    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen.phase, QuizPhase::Asked(_)));
 
     let mut sitting = TestRound::of(Illustration::Nothing, number());
     sitting.press("2\n3");
     sitting.quiz.advance(SETTLING, &mut sitting.cx);
     sitting.press("\n");
-    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen.phase, QuizPhase::Asked(_)));
 }
 
 /// Rays that are 4.2° off are not right, but earn nearly all the points.

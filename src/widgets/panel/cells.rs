@@ -14,12 +14,13 @@ use crate::widgets::bar::stretch;
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, text};
 
-/// How a panel is written: its glyphs and colours, and the labels of the page keys.
-#[derive(Debug, Clone)]
-pub(crate) struct Writing {
+/// How a panel is written: its glyphs and colours, and the labels of keys.
+pub(crate) struct Writing<'k, A> {
     pub look: Look,
     /// The labels of the keys that go back and forward one page, if there are such keys.
     pub pages: Option<[String; 2]>,
+    /// Returns the label of an action's key.
+    pub key: &'k dyn Fn(&A) -> Option<String>,
 }
 
 /// A panel after layout: the blocks that fit, with their positions.
@@ -51,18 +52,15 @@ struct PanelPart<'p> {
 }
 
 impl<'p> PanelPart<'p> {
-    /// Adds a block with its rows and its cells that can be clicked.
-    fn push(&mut self, block: PlacedBlock<'p>, rows: u16, targets: Vec<(Rect, ActionAt)>) {
-        let top = self.rows;
-        let below = |cells: Rect| Rect {
-            y: top + cells.y,
-            ..cells
-        };
-        let targets = targets.into_iter();
-        self.targets
-            .extend(targets.map(|(cells, action)| (below(cells), action)));
+    /// Adds a block below the others.
+    fn push(&mut self, block: PlacedBlock<'p>) {
+        let targets = block.targets.iter().map(|(cells, action)| {
+            let y = self.rows + cells.y;
+            (Rect { y, ..*cells }, *action)
+        });
+        self.targets.extend(targets);
+        self.rows += block.rows;
         self.blocks.push(block);
-        self.rows += rows;
     }
 
     /// The cells of the screen that can be clicked if the part is scrolled by `scrolled` rows.
@@ -86,14 +84,16 @@ impl<'p> PanelPart<'p> {
     }
 }
 
-/// A block without its actions.
+/// A block with its size.
 struct PlacedBlock<'p> {
-    content: &'p Content,
-    chosen: Option<bool>,
-    worth: Option<u8>,
+    block: &'p Block,
     /// For each action, the label of its key; `None` if the action has no key or the label is not
     /// shown.
     keys: Vec<Option<String>>,
+    /// The number of rows.
+    rows: u16,
+    /// The cells that can be clicked, counted from the first row of the block.
+    targets: Vec<(Rect, ActionAt)>,
 }
 
 /// The position of an action in a panel: the index of the block, and the index of the action in the
@@ -101,28 +101,34 @@ struct PlacedBlock<'p> {
 pub(super) type ActionAt = (usize, usize);
 
 impl<A: Copy> Panel<A> {
-    /// Lays the panel out in `area`; a panel that is too long can be scrolled. `key` returns the
-    /// label of an action's key.
-    pub(crate) fn placed(
-        &self,
-        area: Rect,
-        writing: &Writing,
-        key: &dyn Fn(&A) -> Option<String>,
-    ) -> Placed<'_> {
-        let piece = |block: &'_ Block<A>| -> Vec<Option<String>> {
-            match block.content {
-                Content::Prompts(_) => block.actions.iter().map(key).collect(),
-                _ => vec![None; block.actions.len()],
-            }
-        };
-        let pieces = self.blocks.iter().map(|block| PlacedBlock {
-            content: &block.content,
-            chosen: block.chosen,
-            worth: block.worth,
-            keys: piece(block),
+    /// Lays the panel out in `area`; a panel that is too long can be scrolled.
+    pub(crate) fn placed(&self, area: Rect, writing: &Writing<A>) -> Placed<'_> {
+        let mut scratch = Buffer::empty(area);
+        let mut lines = Lines::unseen(area, &mut scratch, writing.look);
+        let blocks = self.blocks.iter().enumerate();
+        let blocks = blocks.map(|(number, (block, actions))| {
+            let keys = match block.content {
+                Content::Prompts(_) => actions.iter().map(writing.key).collect(),
+                _ => vec![None; actions.len()],
+            };
+            let mut placed = PlacedBlock {
+                block,
+                keys,
+                rows: 0,
+                targets: Vec::new(),
+            };
+            let top = lines.written();
+            placed.write(&mut lines);
+            placed.rows = lines.written() - top;
+            let targets = lines.targets.drain(..).map(|(cells, own)| {
+                let y = cells.y - top;
+                (Rect { y, ..cells }, (number, own))
+            });
+            placed.targets = targets.collect();
+            placed
         });
         let below = self.below.unwrap_or(self.blocks.len());
-        let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
+        let mut placed = placed(blocks.collect(), self.pinned..below, area);
         if self.open && placed.overflow() > 0 {
             // The note that there is more text has a separate row.
             placed.body.area.height = placed.body.area.height.saturating_sub(1);
@@ -137,7 +143,7 @@ impl<A: Copy> Panel<A> {
         beside: Beside,
         room: Room,
         body_rows: u16,
-        writing: &Writing,
+        writing: &Writing<A>,
     ) -> Option<Placed<'_>> {
         let pages = PlacedPages::new(self, beside, room, body_rows, &writing.look)?;
         Some(Placed {
@@ -148,43 +154,25 @@ impl<A: Copy> Panel<A> {
 
     /// The action at this position, which is triggered by clicking its target.
     pub(crate) fn action(&self, (block, own): ActionAt) -> Option<A> {
-        self.blocks.get(block)?.actions.get(own).copied()
+        let (_, actions) = self.blocks.get(block)?;
+        actions.get(own).copied()
     }
 }
 
 /// Lays out blocks; the blocks in `middle` can be scrolled.
-fn placed<'p>(
-    pieces: Vec<PlacedBlock<'p>>,
-    middle: Range<usize>,
-    area: Rect,
-    writing: &Writing,
-) -> Placed<'p> {
-    let mut scratch = Buffer::empty(area);
-    let mut lines = Lines::unseen(area, &mut scratch, writing.look);
-    let mut lengths = Vec::new();
-    for (number, piece) in pieces.iter().enumerate() {
-        let from = lines.written();
-        piece.write(&mut lines);
-        let targets = lines.targets.drain(..).map(|(cells, own)| {
-            let y = cells.y - from;
-            (Rect { y, ..cells }, (number, own))
-        });
-        let targets: Vec<_> = targets.collect();
-        lengths.push((lines.written() - from, targets));
-    }
-    let rows: Vec<u16> = lengths.iter().map(|(rows, _)| *rows).collect();
-    let is_shown = with_room(&pieces, area.height, &rows);
-    let rows = |part: Range<usize>| -> u16 { rows[part].iter().sum() };
-    let head = rows(0..middle.start);
+fn placed(blocks: Vec<PlacedBlock<'_>>, middle: Range<usize>, area: Rect) -> Placed<'_> {
+    let is_shown = with_room(&blocks, area.height);
+    let rows = |part: &[PlacedBlock]| -> u16 { part.iter().map(|it| it.rows).sum() };
+    let head = rows(&blocks[..middle.start]);
     // An empty row separates the foot from the blocks above.
-    let foot = match rows(middle.end..pieces.len()) {
+    let foot = match rows(&blocks[middle.end..]) {
         0 => 0,
         rows => rows + 1,
     };
     // If there is hardly any room left for the middle, the head and the foot are scrolled too.
     let (head, foot, middle) = match head + foot + LEAST <= area.height {
         true => (head, foot, middle),
-        false => (0, 0, 0..pieces.len()),
+        false => (0, 0, 0..blocks.len()),
     };
     let [above, rest] = areas::upper(area, head);
     let [area, _] = areas::upper(rest, rest.height - foot);
@@ -193,31 +181,28 @@ fn placed<'p>(
         ..Placed::empty(area)
     };
     let mut after_gap = true;
-    let blocks = pieces.into_iter().zip(is_shown).zip(lengths);
-    for (number, ((piece, shown), (rows, targets))) in blocks.enumerate() {
+    for (number, (block, shown)) in blocks.into_iter().zip(is_shown).enumerate() {
         if number < middle.start {
-            placed.head.push(piece, rows, targets);
+            placed.head.push(block);
             continue;
         }
         if number >= middle.end {
-            placed.foot.push(piece, rows, targets);
+            placed.foot.push(block);
             continue;
         }
-        let is_gap = matches!(piece.content, Content::Gap);
+        let content = &block.block.content;
+        let is_gap = matches!(content, Content::Gap);
         // Adjacent gaps are reduced to one, and gaps at the top are removed.
         if !shown || is_gap && after_gap {
             continue;
         }
         after_gap = is_gap;
-        if piece.chosen == Some(true) {
+        if block.block.chosen == Some(true) {
             placed.chosen = Some(placed.body.rows);
-            let sets = matches!(
-                piece.content,
-                Content::Field { .. } | Content::TextField { .. }
-            );
+            let sets = matches!(content, Content::Field { .. } | Content::TextField { .. });
             placed.is_list = !sets;
         }
-        placed.body.push(piece, rows, targets);
+        placed.body.push(block);
     }
     let body_rows = placed.body.rows.min(area.height);
     placed.head.area = above;
@@ -226,15 +211,13 @@ fn placed<'p>(
 }
 
 /// For each block, whether it is shown in a panel of this height.
-fn with_room(pieces: &[PlacedBlock], height: u16, rows: &[u16]) -> Vec<bool> {
-    let of = |worth: Option<u8>| -> u16 {
-        let blocks = pieces.iter().zip(rows);
-        blocks
-            .filter(|(block, _)| block.worth == worth)
-            .map(|(_, rows)| rows)
-            .sum()
+fn with_room(blocks: &[PlacedBlock], height: u16) -> Vec<bool> {
+    let worth = |it: &PlacedBlock| it.block.worth;
+    let of = |own: Option<u8>| -> u16 {
+        let blocks = blocks.iter().filter(|it| worth(it) == own);
+        blocks.map(|it| it.rows).sum()
     };
-    let mut worths: Vec<_> = pieces.iter().filter_map(|block| block.worth).collect();
+    let mut worths: Vec<_> = blocks.iter().filter_map(worth).collect();
     worths.sort_unstable_by(|a, b| b.cmp(a));
     worths.dedup();
     let mut spare = height.saturating_sub(of(None));
@@ -244,8 +227,8 @@ fn with_room(pieces: &[PlacedBlock], height: u16, rows: &[u16]) -> Vec<bool> {
         spare -= if fits { needed } else { 0 };
         fits
     });
-    let shown = |block: &PlacedBlock| block.worth.is_none_or(|worth| worths.contains(&worth));
-    pieces.iter().map(shown).collect()
+    let shown = |block| worth(block).is_none_or(|worth| worths.contains(&worth));
+    blocks.iter().map(shown).collect()
 }
 
 impl<'p> Placed<'p> {
@@ -305,7 +288,7 @@ impl<'p> Placed<'p> {
 
     /// Draws the panel, scrolled by `scrolled` rows. If the panel does not fit, a hint below it
     /// names the key that shows more or, at the end, the key that goes back.
-    pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
+    pub(crate) fn draw<A>(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing<A>) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
         }
@@ -325,17 +308,17 @@ impl<'p> Placed<'p> {
 impl PlacedBlock<'_> {
     /// Writes the block, with the cells that can be clicked.
     fn write(&self, lines: &mut Lines) {
-        if self.chosen.is_none() {
+        let Some(chosen) = self.block.chosen else {
             return write_content(self, lines);
-        }
+        };
         let action = (!self.keys.is_empty()).then_some(0);
-        lines.item(self.chosen, action, |lines| write_content(self, lines));
+        lines.item(Some(chosen), action, |lines| write_content(self, lines));
     }
 }
 
-fn write_content(block: &PlacedBlock, lines: &mut Lines) {
+fn write_content(PlacedBlock { block, keys, .. }: &PlacedBlock, lines: &mut Lines) {
     let chosen = block.chosen;
-    match block.content {
+    match &block.content {
         Content::Gap | Content::PageBreak => lines.gap(),
         Content::Large(texts, from) => lines.large(texts, *from),
         Content::LargeText(text) => {
@@ -456,10 +439,9 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
             let cursor = if is_chosen { "_" } else { "" };
             let room = usize::from(lines.width()).saturating_sub(MARK + LABEL + 1);
             // A long text is shown up to the cursor.
-            let seen = if is_chosen {
-                end_of(before, room)
-            } else {
-                before
+            let seen = match is_chosen {
+                true => end_of(before, room),
+                false => before,
             };
             let row = format!("{label:LABEL$}{seen}{cursor}{after} ");
             let row = marked(&Run::new(row, Role::Text), chosen);
@@ -472,7 +454,7 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
             rows,
             leaves,
         } => write_table(columns, rows, *leaves, lines),
-        Content::Prompts(prompts) => write_prompts(prompts, &block.keys, lines),
+        Content::Prompts(prompts) => write_prompts(prompts, keys, lines),
         Content::Tabs { names, open } => write_tabs(names, *open, lines),
         Content::Grid { cells, chosen } => write_grid(cells, *chosen, lines),
     }

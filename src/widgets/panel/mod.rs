@@ -35,7 +35,9 @@ pub(crate) struct Panel<A> {
     pub(crate) stays: bool,
     /// Whether the panel has no frame.
     pub(crate) open: bool,
-    blocks: Vec<Block<A>>,
+    /// The blocks, each with the actions triggered by clicks: none or one for most blocks, but one
+    /// for each tab, each name in a grid, each row of a table that can be selected, and each prompt.
+    blocks: Vec<(Block, Vec<A>)>,
     /// The number of blocks at the top that stay visible when the panel is scrolled.
     pinned: usize,
     /// The index of the first block that stays visible at the bottom, if any do.
@@ -44,13 +46,10 @@ pub(crate) struct Panel<A> {
     worth: Option<u8>,
 }
 
-/// A block of a panel, with its actions and its priority.
+/// A block of a panel, with its priority.
 #[derive(Debug, Clone, PartialEq)]
-struct Block<A> {
+struct Block {
     content: Content,
-    /// The actions triggered by clicks: none or one for most blocks, but one for each tab, each
-    /// name in a grid, each row of a table that can be selected, and each prompt.
-    actions: Vec<A>,
     /// Whether this is the selected one of several items; `None` if it cannot be selected.
     chosen: Option<bool>,
     /// If not all blocks fit, those with the highest priority are kept. Blocks of the same priority
@@ -257,12 +256,12 @@ impl<A> Panel<A> {
         chosen: Option<bool>,
         actions: impl IntoIterator<Item = A>,
     ) {
-        self.blocks.push(Block {
+        let block = Block {
             content,
-            actions: actions.into_iter().collect(),
             chosen,
             worth: self.worth,
-        });
+        };
+        self.blocks.push((block, actions.into_iter().collect()));
     }
 
     /// Writes blocks that are left out unless all blocks of this priority fit.
@@ -287,11 +286,9 @@ impl<A> Panel<A> {
         let mut part = Panel::new("");
         write(&mut part);
         let worth = self.worth;
-        let blocks = part.blocks.into_iter().map(|block| Block {
-            content: block.content,
-            actions: block.actions.into_iter().map(&wrap).collect(),
-            chosen: block.chosen,
-            worth: block.worth.or(worth),
+        let blocks = part.blocks.into_iter().map(|(mut block, actions)| {
+            block.worth = block.worth.or(worth);
+            (block, actions.into_iter().map(&wrap).collect())
         });
         self.blocks.extend(blocks);
     }
@@ -471,9 +468,8 @@ impl<A> Panel<A> {
         pages: impl IntoIterator<Item = (N, A)>,
         open: usize,
     ) {
-        let pages = pages.into_iter();
-        let (names, actions): (_, Vec<A>) =
-            pages.map(|(name, action)| (name.into(), action)).unzip();
+        let labelled = |(name, action): (N, A)| (name.into(), action);
+        let (names, actions): (_, Vec<A>) = pages.into_iter().map(labelled).unzip();
         self.push_with(Content::Tabs { names, open }, None, actions);
     }
 
@@ -596,10 +592,8 @@ impl<A> Panel<A> {
 
     /// Adds several possible next actions, most likely first.
     pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
-        let prompts = prompts.into_iter();
-        let (words, actions): (_, Vec<A>) = prompts
-            .map(|(words, action)| (words.into(), action))
-            .unzip();
+        let labelled = |(words, action): (W, A)| (words.into(), action);
+        let (words, actions): (_, Vec<A>) = prompts.into_iter().map(labelled).unzip();
         self.push_with(Content::Prompts(words), None, actions);
     }
 }

@@ -12,7 +12,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::cells::Writing;
-use super::{ActionAt, Content, LargeText, Panel};
+use super::{ActionAt, Block, Content, LargeText, Panel};
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
@@ -104,31 +104,28 @@ impl<'p> PlacedPages<'p> {
             None => body_rows + CHROME,
         };
         let blocks: Vec<_> = panel.blocks.iter().enumerate().collect();
-        let many = { blocks.iter() }.any(|(_, it)| matches!(it.content, Content::PageBreak));
+        let is_break = |(block, _): &(Block, Vec<A>)| matches!(block.content, Content::PageBreak);
+        let setting = PageSetting {
+            beside,
+            more: { blocks.iter() }.any(|(_, it)| is_break(it)),
+            room,
+            screen_rows,
+            look,
+        };
         let mut parts = Vec::new();
-        for (number, blocks) in blocks
-            .split(|(_, block)| matches!(block.content, Content::PageBreak))
-            .enumerate()
-        {
-            let texts = blocks
-                .iter()
-                .filter_map(|(at, block)| match &block.content {
-                    Content::LargeText(text) => Some(PagedParagraph {
-                        block: *at,
-                        text,
-                        shown: &text.text,
-                        acts: !block.actions.is_empty(),
-                    }),
-                    _ => None,
-                });
+        for (number, blocks) in blocks.split(|(_, it)| is_break(it)).enumerate() {
+            let texts = blocks.iter().filter_map(|(at, (block, actions))| {
+                let Content::LargeText(text) = &block.content else {
+                    return None;
+                };
+                Some(PagedParagraph {
+                    block: *at,
+                    text,
+                    shown: &text.text,
+                    acts: !actions.is_empty(),
+                })
+            });
             let texts: Vec<_> = texts.collect();
-            let setting = PageSetting {
-                beside,
-                more: many,
-                room,
-                screen_rows,
-                look,
-            };
             if panel.together && number == 0 && room.pictures.is_none() {
                 let one = PagedText::new(&texts, setting, 1).map(|one| vec![one]);
                 if let Some(of_part) = one.or_else(|| on_one_page(&texts, setting)) {
@@ -187,7 +184,7 @@ impl<'p> PlacedPages<'p> {
 
     /// Draws a page with the bars of its paragraphs, and the page number if there are several
     /// pages.
-    pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
+    pub(super) fn draw<A>(&self, page: u16, buf: &mut Buffer, writing: &Writing<A>) {
         let Some((part, own)) = self.at(page) else {
             return;
         };
@@ -328,6 +325,9 @@ fn on_one_page<'p>(
 
 fn last_sentence(text: &str) -> &str {
     let start = text::sentence_ends(text).last().unwrap_or(0);
+    text[start..].trim_start()
+}
+
 /// The sizes of letters and the gaps with which paragraphs are set.
 #[derive(Clone, Copy)]
 struct PageStyle {
@@ -335,9 +335,6 @@ struct PageStyle {
     sizes: [LetterSize; 2],
     /// The number of rows below a paragraph, and below a paragraph with a bar.
     gaps: [u16; 2],
-}
-
-    text[start..].trim_start()
 }
 
 impl<'p> PagedText<'p> {
@@ -378,6 +375,9 @@ impl<'p> PagedText<'p> {
             .flat_map(|(i, choice)| sizes[i..].iter().map(move |stem| [*stem, *choice]));
         let styles = pairs.flat_map(|sizes| {
             GAPS.map(|gap| PageStyle {
+                sizes,
+                gaps: [gap, gap + 1],
+            })
         });
         let styles: Vec<_> = styles.collect();
         Self::best(paragraphs, setting, &styles, &layouts, 1)
@@ -431,9 +431,6 @@ impl<'p> PagedText<'p> {
                 layouts.filter_map(move |layouts| placed(words, *style, *layouts))
             }))
         })
-                sizes,
-                gaps: [gap, gap + 1],
-            })
     }
 }
 
@@ -480,6 +477,9 @@ fn fewest_pages<'p>(all: impl Iterator<Item = PagedText<'p>>) -> Option<PagedTex
         if best.as_ref().is_none_or(|it| cost(&placed) < cost(it)) {
             best = Some(placed);
         }
+    }
+    best
+}
 
 #[cfg(test)]
 mod tests {
@@ -514,7 +514,4 @@ mod tests {
             })
         }
     }
-}
-    }
-    best
 }

@@ -15,9 +15,10 @@ fn key(action: &char) -> Option<String> {
     action.is_lowercase().then(|| action.to_string())
 }
 
-const WRITING: Writing = Writing {
+const WRITING: Writing<char> = Writing {
     look: LOOK,
     pages: None,
+    key: &key,
 };
 
 /// An area for `rows` rows of 20 letters, with the margin.
@@ -27,7 +28,7 @@ fn place(rows: u16) -> Rect {
 
 fn drawn(panel: &Panel<char>, rows: u16, scrolled: u16) -> Vec<String> {
     let mut buf = Buffer::empty(Rect::new(0, 0, 28, rows + 2));
-    let placed = panel.placed(place(rows), &WRITING, &key);
+    let placed = panel.placed(place(rows), &WRITING);
     placed.draw(scrolled, &mut buf, &WRITING);
     text(&buf)
         .lines()
@@ -96,7 +97,7 @@ fn a_click_on_a_field_or_a_prompt_carries_out_its_action() {
         drawn(&panel, 4, 0)[1..4],
         ["> mass         5.5 g", "w: weigh it. l:", "leave it alone."]
     );
-    let placed = panel.placed(place(4), &WRITING, &key);
+    let placed = panel.placed(place(4), &WRITING);
     let at = |x, y| {
         let mut targets = placed.targets(0);
         targets.find_map(|(cells, action)| {
@@ -127,7 +128,7 @@ fn the_chosen_row_stays_visible_and_rows_scrolled_away_cannot_be_clicked() {
         let chosen = c == 'e';
         panel.row((c.to_string(), Role::Text), ("", Role::Text), chosen, c);
     }
-    let placed = panel.placed(place(3), &WRITING, &key);
+    let placed = panel.placed(place(3), &WRITING);
     assert_eq!((placed.overflow(), placed.following()), (3, 3));
     let seen: String = placed
         .targets(2)
@@ -147,7 +148,7 @@ fn a_long_text_names_the_key_for_the_rest() {
     };
     for (scrolled, hint) in [(0, "n: more"), (1, "b: back")] {
         panel
-            .placed(place(1), &writing, &key)
+            .placed(place(1), &writing)
             .draw(scrolled, &mut buf, &writing);
         assert!(text(&buf).contains(hint), "{}", text(&buf));
     }
@@ -163,7 +164,7 @@ fn a_block_pinned_below_stays_there_and_can_be_clicked() {
     panel.prompt("open it", 'o');
     assert_eq!(drawn(&panel, 14, 0)[10..13], ["> j", "", "o: open it."]);
     assert_eq!(drawn(&panel, 9, 3)[7..10], ["> j", "", "o: open it."]);
-    let placed = panel.placed(place(9), &WRITING, &key);
+    let placed = panel.placed(place(9), &WRITING);
     assert_eq!(placed.overflow(), 3);
     let clicked = |row: u16| {
         let mut targets = placed.targets(placed.following());

@@ -72,10 +72,12 @@ mod tests {
         };
         let mut panel = Panel::<()>::new("");
         said_and_true(&collision, &said, names, errors, &mut panel);
-        let writing = Writing { look, pages: None };
-        panel
-            .placed(area, &writing, &|()| None)
-            .draw(0, &mut buf, &writing);
+        let writing = Writing {
+            look,
+            pages: None,
+            key: &|()| None,
+        };
+        panel.placed(area, &writing).draw(0, &mut buf, &writing);
         text(&buf)
     }
 

@@ -15,17 +15,17 @@ use crate::widgets::{Charset, Look, Role};
 /// let line = key_line(&hints, 80, &Look::default());
 /// assert_eq!(line.to_string(), " Space again  . , step  ? help");
 /// ```
-pub fn key_line(hints: &[(&str, &str)], width: u16, look: &Look) -> Line<'static> {
+pub fn key_line(hints: &[(impl AsRef<str>, &str)], width: u16, look: &Look) -> Line<'static> {
     let (charset, theme) = (look.charset, look.theme);
     let written: Vec<(String, String)> = hints
         .iter()
         .map(|(key, does)| {
-            let key = match (charset, *key) {
+            let key = match (charset, key.as_ref()) {
                 // The two arrows are written as one character each, because "->" would look like
                 // two keys.
                 (Charset::Ascii, "←→") => "<>".to_owned(),
                 (Charset::Ascii, "↑↓") => "^v".to_owned(),
-                _ => charset.text(key).into_owned(),
+                (_, key) => charset.text(key).into_owned(),
             };
             (key, charset.text(does).into_owned())
         })
