@@ -109,11 +109,7 @@ impl AnswerInput {
             Self::Rays(rays) => rays.keys("next").map(Ray),
             Self::Number(number) | Self::Shot(number) => number.keys().map(Number),
             Self::Choice { count, .. } => {
-                let each = |first: char| {
-                    (first..)
-                        .zip(0..*count)
-                        .map(|(c, i)| (Key::Char(c), Choose(i)))
-                };
+                let each = |first: char| (first..).zip((0..*count).map(Choose));
                 KeyTable::new("answer")
                     .by([Key::Up, Key::Down], Move, [-1, 1], "choose")
                     .or([(Key::BackTab, Move(-1)), (Key::Tab, Move(1))])

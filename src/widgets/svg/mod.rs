@@ -195,10 +195,8 @@ impl std::fmt::Display for Number {
         let number = if self.0.is_finite() { self.0 } else { 0.0 };
         let hundredths = (100.0 * number).round() as i64;
         let sign = if hundredths < 0 { "-" } else { "" };
-        let (whole, part) = (
-            hundredths.unsigned_abs() / 100,
-            hundredths.unsigned_abs() % 100,
-        );
+        let size = hundredths.unsigned_abs();
+        let (whole, part) = (size / 100, size % 100);
         match (part, part % 10) {
             (0, _) => write!(f, "{sign}{whole}"),
             (_, 0) => write!(f, "{sign}{whole}.{}", part / 10),

@@ -107,10 +107,8 @@ fn is_difference(before: &str, after: &str) -> bool {
     let next = |first: char| first.is_numeric() || matches!(first, '(' | '[' | '√' | 'α'..='ω');
     let blank = [' ', '\u{a0}'];
     let ends = |before: &str| before.ends_with(term);
-    before.strip_suffix(blank).is_some_and(ends)
-        && after
-            .strip_prefix(blank)
-            .is_some_and(|after| after.starts_with(next))
+    let begins = |after: &str| after.starts_with(next);
+    before.strip_suffix(blank).is_some_and(ends) && after.strip_prefix(blank).is_some_and(begins)
 }
 
 /// Whether a byte is allowed in ASCII text: a printable character or a line break.

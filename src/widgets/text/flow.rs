@@ -63,8 +63,8 @@ pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Ru
     let columns = columns.max(1);
     let (mut rows, mut row) = (Vec::new(), Vec::new());
     let mut used = 0;
-    let words: Vec<FlowWord> = words(runs)
-        .into_iter()
+    let words = words(runs).into_iter();
+    let words: Vec<_> = words
         .flat_map(|word| within(word, columns, charset))
         .collect();
     for word in held(&words, columns) {

@@ -366,20 +366,15 @@ impl<'a> Lines<'a> {
     }
 
     fn put(&mut self, column: u16, text: &str, role: Role) {
-        let Some(row) = self.written.checked_sub(self.scrolled) else {
+        let Some([x, y]) = self.seen((column, self.written)) else {
             return;
         };
-        if row >= self.area.height || column >= self.area.width {
-            return;
-        }
-        let text = self.look.charset.text(text);
-        let room = (self.area.width - column).into();
-        let style = self.look.theme.style(role);
-        let (x, y) = (self.area.x + column, self.area.y + row);
         // A screen may be drawn before the program learns that the window has become smaller.
-        if !self.buf.area.contains((x, y).into()) {
-            return;
+        if column < self.area.width && self.buf.area.contains((x, y).into()) {
+            let text = self.look.charset.text(text);
+            let room = (self.area.width - column).into();
+            let style = self.look.theme.style(role);
+            self.buf.set_stringn(x, y, text, room, style);
         }
-        self.buf.set_stringn(x, y, text, room, style);
     }
 }

@@ -123,12 +123,7 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
             line.push(' ');
         }
         // A path is broken between its folders rather than within a name.
-        let names = if width(&word) > columns && word.contains(['/', '\\']) {
-            word.split_inclusive(['/', '\\']).collect()
-        } else {
-            vec![word.as_str()]
-        };
-        for name in names {
+        for name in word.split_inclusive(['/', '\\']) {
             let fits = width(line) + width(name) <= columns || width(name) > columns;
             if !fits && !line.is_empty() {
                 lines.push(std::mem::take(line));
