@@ -3,7 +3,7 @@ use ratatui::layout::Rect;
 
 use super::{Panel, Writing};
 use crate::widgets::cells::text;
-use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme};
+use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme, recorded};
 
 const LOOK: Look = Look {
     charset: Charset::Ascii,
@@ -175,4 +175,23 @@ fn a_block_pinned_below_stays_there_and_can_be_clicked() {
     assert_eq!(clicked(7), Some('j'));
     assert_eq!(clicked(8), None);
     assert_eq!(clicked(9), Some('o'));
+}
+
+#[test]
+fn a_name_in_a_scrolled_grid_is_recorded_at_the_cell_where_it_is_seen() {
+    let mut panel = Panel::new("");
+    for _ in 0..3 {
+        panel.line("text", Role::Text);
+    }
+    panel.grid([(["Ada".into(), String::new()], 'a')], None);
+    panel.line("text", Role::Text);
+    let placed = panel.placed(place(3), &WRITING);
+    let mut buf = Buffer::empty(place(3));
+    let ((), sheets) = recorded(|| placed.draw(2, &mut buf, &WRITING));
+    let items = sheets.iter().flat_map(|sheet| &sheet.sections);
+    let [x, y] = { items.flat_map(|section| &section.items) }
+        .find_map(|item| item.press)
+        .unwrap();
+    let (cells, _) = placed.targets(2).next().unwrap();
+    assert!(cells.contains((x, y).into()), "{cells} {x} {y}");
 }

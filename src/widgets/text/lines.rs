@@ -210,8 +210,8 @@ impl<'a> Lines<'a> {
         role: Role,
         chosen: bool,
     ) {
-        let press = [self.area.x + column, self.area.y + self.written];
-        self.note(words, Some(press), Some(chosen));
+        let press = self.seen((column, self.written));
+        self.note(words, press, Some(chosen));
         self.put(column, row, role);
     }
 
