@@ -437,7 +437,8 @@ fn write_content(PlacedBlock { block, keys, .. }: &PlacedBlock, lines: &mut Line
         } => {
             let is_chosen = chosen == Some(true);
             let cursor = if is_chosen { "_" } else { "" };
-            let room = usize::from(lines.width()).saturating_sub(MARK + LABEL + 1);
+            let beside = MARK + text::width(label).max(LABEL) + 1;
+            let room = usize::from(lines.width()).saturating_sub(beside);
             // A long text is shown up to the cursor.
             let seen = match is_chosen {
                 true => end_of(before, room),
@@ -549,7 +550,7 @@ const SHARE: usize = 5;
 
 /// The width of the mark of an item, including the space after it, in columns.
 const MARK: usize = 2;
-/// The width of a text field's label, including the space after it, in columns.
+/// The minimum width of a text field's label, including the space after it, in columns.
 const LABEL: usize = 8;
 
 /// The number of columns between adjacent tabs.

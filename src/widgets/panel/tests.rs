@@ -38,15 +38,18 @@ fn drawn(panel: &Panel<char>, rows: u16, scrolled: u16) -> Vec<String> {
 
 #[test]
 fn a_text_that_is_too_long_for_its_field_is_shown_up_to_the_cursor() {
-    let shown = |before: &str, after: &str, chosen| {
+    let labelled = |label: &str, typed: (&str, &str), chosen| {
         let mut panel = Panel::new("");
-        panel.text_field("code", (before, after), chosen, None::<char>);
+        panel.text_field(label, typed, chosen, None::<char>);
         drawn(&panel, 1, 0).join(" ").trim().to_owned()
     };
+    let shown = |before, after, chosen| labelled("code", (before, after), chosen);
     assert_eq!(shown("mixed-7", "", true), "> code    mixed-7_");
     assert_eq!(shown("any-mixed-1234", "", true), "> code    mixed-1234_");
     assert_eq!(shown("many-mixed-", "12", true), "> code    any-mixed-_");
     assert_eq!(shown("any-mixed-1234", "", false), "code    any-mixed-1");
+    let long = labelled("south's name ", ("Bartholomew", ""), true);
+    assert_eq!(long, "> south's name lomew_");
 }
 
 #[test]
