@@ -447,7 +447,10 @@ fn write_content(PlacedBlock { block, keys, .. }: &PlacedBlock, lines: &mut Line
             let row = format!("{label:LABEL$}{seen}{cursor}{after} ");
             let row = marked(&Run::new(row, Role::Text), chosen);
             let name = label.trim_end().trim_end_matches(':');
-            let words = |_| Words::text_field(name, &format!("{before}{after}"));
+            let words = |_| Words::TextField {
+                name: name.to_owned(),
+                value: format!("{before}{after}"),
+            };
             lines.written_as(words, |lines| lines.line(&row.text, row.role));
         }
         Content::Table {

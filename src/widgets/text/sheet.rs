@@ -271,14 +271,6 @@ impl Words {
             role,
         }
     }
-
-    /// A text field with its name and the typed text.
-    pub(crate) fn text_field(name: &str, value: &str) -> Self {
-        Self::TextField {
-            name: name.to_owned(),
-            value: value.to_owned(),
-        }
-    }
 }
 
 impl Item {
