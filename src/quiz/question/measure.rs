@@ -3,11 +3,6 @@
 use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
-/// The largest tolerance for a percentage, in percentage points.
-const MOST_SHARE: f64 = 4.0;
-/// The largest tolerance for a coefficient of restitution.
-const MOST_RESTITUTION: f64 = 0.04;
-
 /// The quantity that a number in an answer measures, with its unit, its printed form and its
 /// tolerance.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +34,9 @@ pub enum Measure {
     },
 }
 
+/// The largest permitted number of a measure without a natural limit.
+const LARGEST: f64 = 99_999.0;
+
 impl Measure {
     /// The tolerances in words; for the rules see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
@@ -47,12 +45,12 @@ impl Measure {
 
     /// The unit printed after a number; empty for a pure number.
     pub fn unit(&self) -> &str {
-        self.words().0
+        self.row().0
     }
 
     /// The name in files under which a number is stored: "angle_deg".
     pub fn id(&self) -> &'static str {
-        self.words().1
+        self.row().1
     }
 
     /// The measure with this [`id`](Self::id).
@@ -70,18 +68,24 @@ impl Measure {
         all.find(|measure| measure.id() == id)
     }
 
-    /// The unit, and the name in files.
-    fn words(&self) -> (&str, &'static str) {
+    /// The unit, the name in files, the largest permitted number, and the limits of the tolerance.
+    fn row(&self) -> (&str, &'static str, f64, Option<[f64; 2]>) {
         match self {
-            Self::Angle => ("°", "angle_deg"),
-            Self::Share => ("%", "share_percent"),
-            Self::Speed => ("m/s", "speed"),
-            Self::Mass => ("g", "mass_g"),
-            Self::Length => ("mm", "length_mm"),
-            Self::Times => ("times", "times"),
-            Self::Restitution => ("", "restitution"),
-            Self::Own { unit, .. } => (unit, "number"),
+            Self::Angle => ("°", "angle_deg", 180.0, Some([1.0, RIGHT_DEG])),
+            Self::Share => ("%", "share_percent", 100.0, Some([0.2, 4.0])),
+            Self::Speed => ("m/s", "speed", LARGEST, None),
+            Self::Mass => ("g", "mass_g", LARGEST, None),
+            Self::Length => ("mm", "length_mm", LARGEST, None),
+            Self::Times => ("times", "times", LARGEST, None),
+            Self::Restitution => ("", "restitution", 1.0, Some([0.01, 0.04])),
+            Self::Own { unit, range, .. } => (unit, "number", range.1, None),
         }
+    }
+
+    /// The smallest and the largest tolerance of a measure whose tolerance is a tenth of the true
+    /// value.
+    fn limits(&self) -> Option<[f64; 2]> {
+        self.row().3
     }
 
     /// A number as printed, with its unit: "63.4°", "25.0 %", "2.12 m/s".
@@ -113,23 +117,16 @@ impl Measure {
 
     /// The tolerance for this `truth`, as a fraction of the largest tolerance.
     pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
-        let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
-        match self {
-            Self::Angle => near(1.0, RIGHT_DEG),
-            Self::Share => near(0.2, MOST_SHARE),
-            Self::Restitution => near(0.01, MOST_RESTITUTION),
-            _ => 1.0,
-        }
+        let near = |[least, most]: [f64; 2]| (truth.abs() / 10.0).clamp(least, most) / most;
+        self.limits().map_or(1.0, near)
     }
 
     /// The largest error with which a number counts as `truth`. If numbers are compared by their
     /// ratio, this is the upward error, which is larger than the downward one.
     pub(crate) fn tolerance(&self, truth: f64) -> f64 {
-        let largest = match self {
-            Self::Angle => RIGHT_DEG,
-            Self::Share => MOST_SHARE,
-            Self::Restitution => MOST_RESTITUTION,
-            Self::Own { tolerance, .. } => *tolerance,
+        let largest = match (self, self.limits()) {
+            (_, Some([_, most])) => most,
+            (Self::Own { tolerance, .. }, _) => *tolerance,
             _ => truth.abs() / 20.0,
         };
         largest * self.width(truth)
@@ -139,11 +136,12 @@ impl Measure {
     /// their [`distance`](Self::distance). This value is used to choose questions whose answers are
     /// clearly different, so the codes of rounds depend on it and it must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
-        match self {
-            Self::Angle => apart_deg(a, b) / RIGHT_DEG,
-            Self::Share => (a - b).abs() / MOST_SHARE,
-            Self::Restitution => (a - b).abs() / MOST_RESTITUTION,
-            Self::Speed | Self::Mass | Self::Length | Self::Times => {
+        match (self, self.limits()) {
+            (Self::Angle, _) => apart_deg(a, b) / RIGHT_DEG,
+            (_, Some([_, most])) => (a - b).abs() / most,
+            // A number exactly at the limit is right, in spite of rounding errors.
+            (Self::Own { tolerance, .. }, _) => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
+            _ => {
                 let ratio = a / b;
                 if a == b {
                     0.0
@@ -153,24 +151,16 @@ impl Measure {
                     f64::INFINITY
                 }
             }
-            // A number exactly at the limit is right, in spite of rounding errors.
-            Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
 
     /// The largest permitted number.
-    pub const fn largest(&self) -> f64 {
-        match self {
-            Self::Angle => 180.0,
-            Self::Share => 100.0,
-            Self::Restitution => 1.0,
-            Self::Speed | Self::Mass | Self::Length | Self::Times => 99_999.0,
-            Self::Own { range, .. } => range.1,
-        }
+    pub fn largest(&self) -> f64 {
+        self.row().2
     }
 
     /// The smallest permitted number.
-    pub const fn smallest(&self) -> f64 {
+    pub fn smallest(&self) -> f64 {
         match self {
             Self::Angle => -self.largest(),
             Self::Own { range, .. } => range.0,
