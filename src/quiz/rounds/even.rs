@@ -5,6 +5,8 @@
 //! drawn at random for each question, and carrom chooses the one that best tests what has not been
 //! tested enough.
 
+use std::cmp::Reverse;
+
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 
 /// The number of candidates drawn for each question.
@@ -59,29 +61,23 @@ pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> V
     let mut questions: Vec<Question> = Vec::with_capacity(count);
     for i in 0..count {
         let difficulty = Difficulty::rising(i, count);
-        let mut best: Option<(u32, Question)> = None;
-        for _ in 0..CANDIDATES {
-            let Some(family) = dice.pick(families) else {
-                continue;
-            };
-            let Some((question, _)) = family.ask(difficulty, dice) else {
-                continue;
-            };
+        let candidates = (0..CANDIDATES).filter_map(|_| {
+            let family = dice.pick(families)?;
+            let (question, _) = family.ask(difficulty, dice)?;
             let again = questions.last().is_some_and(|last| last.family == *family);
             let often = questions.iter().filter(|it| it.family == *family).count();
             let old = questions.iter().any(|it| it.text == question.text);
             if again || old || often > count / 4 {
-                continue;
+                return None;
             }
             let gain = match count < LONG && i % 3 == 2 {
                 true => u32::from(often == 0),
                 false => gain(&question, &tested, count),
             };
-            if best.as_ref().is_none_or(|(most, _)| gain > *most) {
-                best = Some((gain, question));
-            }
-        }
-        if let Some((_, question)) = best {
+            Some((gain, question))
+        });
+        // The first of the candidates with the highest gain.
+        if let Some((_, question)) = candidates.min_by_key(|(gain, _)| Reverse(*gain)) {
             tested.extend(shown(&question));
             questions.push(question);
         }

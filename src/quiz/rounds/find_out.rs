@@ -6,6 +6,8 @@
 //! The round ends when one misconception has been established, when all have been ruled out, or
 //! when the maximum number of questions has been asked.
 
+use std::cmp::Reverse;
+
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
 
@@ -163,23 +165,22 @@ pub(super) fn ask(
         true => Difficulty::Middle,
         false => Difficulty::Hard,
     };
-    let mut best: Option<(i64, Question)> = None;
-    for &(family, each) in candidates {
-        let difficulties = Difficulty::ALL.into_iter().filter(|it| *it <= hardest);
-        for difficulty in difficulties.flat_map(|it| std::iter::repeat_n(it, each)) {
-            let Some((question, _)) = family.ask(difficulty, dice) else {
-                continue;
-            };
-            if asked.iter().any(|old| old.text == question.text) {
-                continue;
-            }
-            // The information is rounded to a millionth of a bit, so that no choice depends on the
-            // last digit of a logarithm.
-            let information = (1e6 * posterior.information(&question)).round() as i64;
-            if best.as_ref().is_none_or(|(most, _)| information > *most) {
-                best = Some((information, question));
-            }
+    let difficulties = Difficulty::ALL.into_iter().filter(|it| *it <= hardest);
+    let draws = candidates.iter().flat_map(|&(family, each)| {
+        let of_family = difficulties.clone().map(move |it| (family, it));
+        of_family.flat_map(move |it| std::iter::repeat_n(it, each))
+    });
+    let informative = draws.filter_map(|(family, difficulty)| {
+        let (question, _) = family.ask(difficulty, dice)?;
+        if asked.iter().any(|old| old.text == question.text) {
+            return None;
         }
-    }
+        // The information is rounded to a millionth of a bit, so that no choice depends on the
+        // last digit of a logarithm.
+        let information = (1e6 * posterior.information(&question)).round() as i64;
+        Some((information, question))
+    });
+    // The first of the most informative questions.
+    let best = informative.min_by_key(|(information, _)| Reverse(*information));
     best.map(|(_, question)| question)
 }

@@ -1,11 +1,10 @@
 //! Parallel forms: questions before a unit, and different ones after it that test the same ideas.
 
+use std::collections::BTreeSet;
 use std::mem::discriminant;
 
 use super::even;
-use crate::quiz::question::{
-    Dice, Difficulty, Family, Form, Misconception, Question, Rays, Response,
-};
+use crate::quiz::question::{Dice, Family, Form, Misconception, Question, Rays, Response};
 
 /// How many questions are drawn in search of one that is parallel to another.
 const DRAWS: usize = 1500;
@@ -29,12 +28,13 @@ pub(super) fn pairs(families: &[Family], count: usize, dice: &mut Dice) -> [Vec<
                 break;
             }
             // A question that is the only one of its kind is replaced.
-            let next = replacement(&families, asked.difficulty, dice);
+            let next = dice.pick(&families);
+            let next = next.and_then(|family| family.ask(asked.difficulty, dice));
             let is_new = |it: &Question| {
                 let mut all = forms.iter().flatten().chain(&drawn);
                 !all.any(|old| is_alike(old, it))
             };
-            asked = next.filter(is_new).unwrap_or(asked);
+            asked = next.map(|(it, _)| it).filter(is_new).unwrap_or(asked);
         }
         let other = other.unwrap_or_else(|| asked.clone());
         for (form, question) in forms.iter_mut().zip([asked, other]) {
@@ -42,11 +42,6 @@ pub(super) fn pairs(families: &[Family], count: usize, dice: &mut Dice) -> [Vec<
         }
     }
     forms
-}
-
-fn replacement(families: &[Family], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let family = dice.pick(families)?;
-    Some(family.ask(difficulty, dice)?.0)
 }
 
 /// A question of the same family, topic, difficulty and form that asks for the same quantity and
@@ -91,10 +86,7 @@ fn on_one_side(answer: Response) -> Response {
 
 /// The misconceptions that a question can show, classified as when the codes of rounds were fixed:
 /// see `WrongAnswer::in_codes`.
-fn held(question: &Question) -> Vec<&'static str> {
+fn held(question: &Question) -> BTreeSet<&'static str> {
     let held = question.beliefs.iter().filter_map(|it| it.in_codes());
-    let mut held: Vec<_> = held.map(Misconception::id).collect();
-    held.sort_unstable();
-    held.dedup();
-    held
+    held.map(Misconception::id).collect()
 }
