@@ -59,7 +59,7 @@ impl MovingPair {
         let u2 = towards(self.target_speed, self.side * f64::from(self.way_deg));
         let normal = towards(1, -self.side * f64::from(self.line_deg));
         let relative = (u1 - u2).try_normalize()?;
-        let (striker, target) = (Pieces::Equal.striker(), Pieces::Equal.target());
+        let [striker, target] = Pieces::Equal.discs();
         let head_on = Collision::at_offset(striker, target, u1, 0.0);
         let sine = normal.perp_dot(relative);
         let drawable = relative.dot(normal) > LEAST_COSINE && sine.abs() > LEAST_SINE;

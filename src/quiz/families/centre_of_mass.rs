@@ -199,7 +199,7 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
 
 /// The striker's deflection in the laboratory frame, in degrees.
 fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
-    let (m1, m2) = (hit.pieces.striker().mass, hit.pieces.target().mass);
+    let [m1, m2] = hit.pieces.discs().map(|disc| disc.mass);
     lab_scattering_angle(rad_from_deg(turn_deg), m1, m2).map(deg_from_rad)
 }
 

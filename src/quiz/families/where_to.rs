@@ -118,7 +118,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
 
 /// All figures that define a hit.
 pub(super) fn figures(hit: &Hit) -> Figures {
-    let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
+    let [striker, target] = hit.pieces.discs();
     let [m1_g, m2_g] = hit.masses_g();
     let place = match hit.given {
         ImpactPoint::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
@@ -145,7 +145,7 @@ impl From<&Hit> for Question {
             family: Family::WhereTo,
             difficulty: Difficulty::Middle,
             topic: hit.topic(),
-            text: hit.text(),
+            text: format!("{} Where will they go?", hit.setting()),
             picture: Illustration::before(hit.collision(), Markings::given(hit)),
             form: Form::Rays {
                 truth: hit.truth(),

@@ -48,7 +48,7 @@ impl Hit {
     /// The collision that this hit describes.
     pub fn collision(&self) -> Collision {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
-        let (striker, target) = (self.pieces.striker(), self.pieces.target());
+        let [striker, target] = self.pieces.discs();
         Collision {
             restitution: self.restitution,
             ..Collision::at_offset(striker, target, u1, 0.0).meeting_at(self.given)
@@ -73,11 +73,9 @@ impl Hit {
 
     /// This hit with the two discs exchanged, at the same impact angle.
     pub(in crate::quiz) fn exchanged(&self) -> Self {
+        let [target, striker] = self.pieces.discs();
         Self {
-            pieces: Pieces::Own {
-                striker: self.pieces.target(),
-                target: self.pieces.striker(),
-            },
+            pieces: Pieces::Own { striker, target },
             ..self.at_angle(deg_from_rad(self.alpha()))
         }
     }
@@ -116,7 +114,8 @@ impl Hit {
 
     /// Mass of the striker divided by the mass of the target.
     pub(crate) fn mass_ratio(&self) -> f64 {
-        self.pieces.striker().mass / self.pieces.target().mass
+        let [m1, m2] = self.pieces.discs().map(|disc| disc.mass);
+        m1 / m2
     }
 
     /// Whether the two masses are equal.
@@ -126,7 +125,7 @@ impl Hit {
 
     /// Both masses in grams.
     pub(in crate::quiz) fn masses_g(&self) -> [f64; 2] {
-        [self.pieces.striker(), self.pieces.target()].map(|disc| g_from_kg(disc.mass))
+        self.pieces.discs().map(|disc| g_from_kg(disc.mass))
     }
 
     /// The beginning of the first sentence: "A striker of 15.0 g hits a coin of 5.50 g at rest",
@@ -186,11 +185,6 @@ impl Hit {
         let is_asked = |topic: &&Topic| topic.families_of_figures().contains(&Family::WhereTo);
         let found = topics.iter().find(is_asked).cloned();
         found.unwrap_or_else(|| self.topic())
-    }
-
-    /// The question in words: where will both discs go?
-    pub fn text(&self) -> String {
-        format!("{} Where will they go?", self.setting())
     }
 
     /// Describes the hit in words, without details that only the picture shows.

@@ -21,23 +21,13 @@ pub enum Pieces {
 }
 
 impl Pieces {
-    /// The striker (body 1).
-    pub const fn striker(self) -> Disc {
+    /// The striker (body 1) and the target (body 2).
+    pub const fn discs(self) -> [Disc; 2] {
         match self {
-            Self::Equal => Disc::from_g_mm(15.0, 15.0),
-            Self::Tournament => Disc::from_g_mm(15.0, 20.65),
-            Self::Marbles => Disc::from_g_mm(20.0, 12.4),
-            Self::Own { striker, .. } => striker,
-        }
-    }
-
-    /// The target (body 2).
-    pub const fn target(self) -> Disc {
-        match self {
-            Self::Equal => Disc::from_g_mm(15.0, 15.0),
-            Self::Tournament => Disc::from_g_mm(5.5, 15.9),
-            Self::Marbles => Disc::from_g_mm(40.0, 15.6),
-            Self::Own { target, .. } => target,
+            Self::Equal => [Disc::from_g_mm(15.0, 15.0); 2],
+            Self::Tournament => [Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9)],
+            Self::Marbles => [Disc::from_g_mm(20.0, 12.4), Disc::from_g_mm(40.0, 15.6)],
+            Self::Own { striker, target } => [striker, target],
         }
     }
 
