@@ -114,7 +114,7 @@ pub fn json(
 ) -> Result<String, String> {
     let mut summary = summary(attempts, next);
     summary["games"] = games;
-    summary["observations"] = ObservationCounts::new(observed).json();
+    summary["observations"] = json!(ObservationCounts::new(observed));
     let all = All {
         summary,
         attempts: attempts.iter().map(AttemptRow).collect(),

@@ -5,6 +5,7 @@
 //! lectures differs from what happened (Miller, Lasry, Chu & Mazur 2013, *Phys. Rev. ST Phys. Educ.
 //! Res.* 9, 020113).
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::utc;
@@ -102,21 +103,27 @@ fn is_close(rays: &Rays, truth: &Rays) -> bool {
 }
 
 /// The number of a player's observations that are right, and the number that follow the prediction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// The names of the fields are those in JSON.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct ObservationCounts {
     /// The number of all observations.
-    pub all: usize,
+    pub made: usize,
     /// The number of observations that are right.
     pub right: usize,
     /// The number of observations that are wrong even though the prediction was right.
-    pub only_predicted: usize,
+    pub wrong_after_right_prediction: usize,
     /// The number of observations that are right even though the prediction was wrong.
-    pub only_seen: usize,
+    pub right_after_wrong_prediction: usize,
     /// The number of observations that [follow the prediction](Observation::follows_prediction).
-    pub follow: usize,
-    /// For the latest observations after predictions that were at least 20° off, up to ten of them:
-    /// the number of these observations, and how many of them follow the prediction.
-    pub latest: (usize, usize),
+    pub closer_to_prediction: usize,
+    /// The number of the latest observations after predictions that were at least 20° off, up to
+    /// ten.
+    pub latest_clear: usize,
+    /// How many of these follow the prediction.
+    pub latest_closer_to_prediction: usize,
+    /// Whether the player tends to see what they expect: of the latest ten observations that can
+    /// show this, at least three follow the prediction, and more than half do.
+    pub sees_what_is_expected: bool,
 }
 
 impl ObservationCounts {
@@ -128,39 +135,34 @@ impl ObservationCounts {
         let latest = &clear[clear.len().saturating_sub(LATEST)..];
         let follow = latest.iter().filter(|it| it.follows_prediction()).count();
         Self {
-            all: observations.len(),
+            made: observations.len(),
             right: count(Observation::is_right),
-            only_predicted: count(|it| it.was_expected() && !it.is_right()),
-            only_seen: count(|it| !it.was_expected() && it.is_right()),
-            follow: count(Observation::follows_prediction),
-            latest: (latest.len(), follow),
+            wrong_after_right_prediction: count(|it| it.was_expected() && !it.is_right()),
+            right_after_wrong_prediction: count(|it| !it.was_expected() && it.is_right()),
+            closer_to_prediction: count(Observation::follows_prediction),
+            latest_clear: latest.len(),
+            latest_closer_to_prediction: follow,
+            sees_what_is_expected: follow >= ENOUGH && 2 * follow > latest.len(),
         }
-    }
-
-    /// Whether the player tends to see what they expect: of the latest ten observations that can
-    /// show this, at least three follow the prediction, and more than half do.
-    pub fn sees_what_is_expected(&self) -> bool {
-        let (clear, follow) = self.latest;
-        follow >= ENOUGH && 2 * follow > clear
     }
 
     /// The counts in sentences; empty if there are no observations.
     pub fn words(&self) -> Vec<String> {
-        if self.all == 0 {
+        if self.made == 0 {
             return Vec::new();
         }
-        let (all, right) = (counted(self.all, "observation"), self.right);
+        let (all, right) = (counted(self.made, "observation"), self.right);
         let mut words = vec![format!(
             "Before the angles were shown: {right} of {all} within 10° of what happened."
         )];
-        if self.only_seen > 0 {
+        if self.right_after_wrong_prediction > 0 {
             words.push(format!(
                 "After {} the observation was right although the prediction was not.",
-                counted(self.only_seen, "hit")
+                counted(self.right_after_wrong_prediction, "hit")
             ));
         }
-        if self.sees_what_is_expected() {
-            let (clear, follow) = self.latest;
+        if self.sees_what_is_expected {
+            let (clear, follow) = (self.latest_clear, self.latest_closer_to_prediction);
             words.push(format!(
                 "In {follow} of the latest {clear} hits that differed clearly from the \
                  prediction, the observation was closer to the prediction. That happens to many \
@@ -169,21 +171,6 @@ impl ObservationCounts {
             ));
         }
         words
-    }
-
-    /// The counts as JSON, for use in other programs.
-    pub(crate) fn json(&self) -> Value {
-        let (clear, follow) = self.latest;
-        json!({
-            "made": self.all,
-            "right": self.right,
-            "wrong_after_right_prediction": self.only_predicted,
-            "right_after_wrong_prediction": self.only_seen,
-            "closer_to_prediction": self.follow,
-            "latest_clear": clear,
-            "latest_closer_to_prediction": follow,
-            "sees_what_is_expected": self.sees_what_is_expected(),
-        })
     }
 }
 
@@ -245,9 +232,11 @@ mod tests {
             observation(truth, truth, off),
             observation(off, truth, off),
         ]);
-        assert_eq!((counts.all, counts.right, counts.follow), (3, 1, 1));
-        assert_eq!((counts.only_seen, counts.only_predicted), (1, 1));
-        assert!(!counts.sees_what_is_expected());
+        assert_eq!((counts.made, counts.right), (3, 1));
+        assert_eq!(counts.right_after_wrong_prediction, 1);
+        assert_eq!(counts.wrong_after_right_prediction, 1);
+        assert_eq!(counts.closer_to_prediction, 1);
+        assert!(!counts.sees_what_is_expected);
         assert!(ObservationCounts::default().words().is_empty());
     }
 
@@ -280,7 +269,7 @@ mod tests {
                     believed.target.unwrap() + e2,
                 ];
                 seen.push(observation(said, truth, Rays::new(a, b)));
-                is_named |= ObservationCounts::new(&seen).sees_what_is_expected();
+                is_named |= ObservationCounts::new(&seen).sees_what_is_expected;
             }
             count += u64::from(is_named);
         }
