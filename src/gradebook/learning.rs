@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::gain::{NoGain, NormalizedGain};
 use super::{ClassResults, Pupil, PupilResults};
-use crate::progress::Attempt;
-use crate::quiz::{Clue, Code, Course, CourseKind, Misconception};
+use crate::progress::{Attempt, HeldBelief};
+use crate::quiz::{Clue, Code, Course, CourseKind, Evidence, Misconception};
 
 /// The results of a class in the forms before and after a unit.
 #[derive(Debug, Clone)]
@@ -19,8 +19,8 @@ pub struct Learning<'a> {
     /// The number of pupils who answered only some of these questions.
     pub others: usize,
     /// The misconceptions that the matched pupils could have shown in both forms, and showed in at
-    /// least one.
-    pub beliefs: Vec<BeliefChange>,
+    /// least one, with the evidence from each form.
+    pub beliefs: Vec<HeldBelief>,
     /// The gain of the class, or why there is none.
     pub gain: Result<NormalizedGain, NoGain>,
 }
@@ -32,17 +32,6 @@ pub struct Matched<'a> {
     pub pupil: &'a Pupil,
     /// The number of right answers before and after.
     pub right: [usize; 2],
-}
-
-/// How often a misconception occurred before and after.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BeliefChange {
-    /// The misconception.
-    pub misconception: Misconception,
-    /// The number of answers that fit it.
-    pub fits: [usize; 2],
-    /// The number of answers that could have fitted it.
-    pub could: [usize; 2],
 }
 
 /// The results of each pair of forms that any pupil has begun, sorted by seed and number of
@@ -107,22 +96,15 @@ fn answers<'a>(pupil: &PupilResults<'a>, code: &str) -> Vec<&'a Attempt> {
 
 /// The misconceptions that answers to both forms could show and that at least one answer fits,
 /// sorted by how often they occurred before the unit, the most frequent first.
-fn changes(clues: &[Vec<Clue>; 2]) -> Vec<BeliefChange> {
-    let change = |misconception: Misconception| BeliefChange {
-        misconception,
-        fits: clues.each_ref().map(|form| {
-            let fits = form.iter().filter(|it| it.shows == Some(misconception));
-            fits.count()
-        }),
-        could: clues.each_ref().map(|form| {
-            let could = form
-                .iter()
-                .filter(|it| it.could_show.contains(&misconception));
-            could.count()
-        }),
+fn changes([before, after]: &[Vec<Clue>; 2]) -> Vec<HeldBelief> {
+    let change = |misconception: &Misconception| HeldBelief {
+        misconception: *misconception,
+        before: Evidence::of(*misconception, before),
+        since: Evidence::of(*misconception, after),
     };
-    let mut all: Vec<_> = Misconception::ALL.iter().map(|it| change(*it)).collect();
-    all.retain(|it| it.could.iter().all(|could| *could > 0) && it.fits != [0, 0]);
-    all.sort_by_key(|it| std::cmp::Reverse(it.fits));
+    let times = |it: &HeldBelief| [it.before.times, it.since.times];
+    let mut all: Vec<_> = Misconception::ALL.iter().map(change).collect();
+    all.retain(|it| it.before.asked > 0 && it.since.asked > 0 && times(it) != [0, 0]);
+    all.sort_by_key(|it| std::cmp::Reverse(times(it)));
     all
 }

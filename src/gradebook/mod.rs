@@ -20,7 +20,7 @@ pub use gain::{NoGain, NormalizedGain};
 pub use hand_in::HandIn;
 pub(crate) use items::ItemStatistics;
 pub use items::items;
-pub use learning::{BeliefChange, Learning, Matched, learning};
+pub use learning::{Learning, Matched, learning};
 pub use pupils::{Gradebook, Pupil};
 pub(crate) use results::{ClassResults, PupilResults};
 pub use tables::{beliefs_csv, items_csv, learning_csv, pupils_csv};

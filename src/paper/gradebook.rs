@@ -4,11 +4,11 @@ use maud::{Markup, Render, html};
 
 use super::{Paper, clean, html_page};
 use crate::gradebook::{
-    ClassResults, FEWEST, Learning, NoGain, PupilResults, beliefs, items, learning,
+    ClassResults, FEWEST, Learning, Matched, NoGain, PupilResults, beliefs, items, learning,
 };
 use crate::numbers::{counted, fixed};
-use crate::progress::Mastery;
 use crate::progress::words::percent;
+use crate::progress::{HeldBelief, Mastery};
 
 const STYLE: &str = include_str!("gradebook.css");
 /// The maximum width, in characters, of a name, and of the name of a round or topic at the head of
@@ -181,14 +181,13 @@ fn of_the_class(of: &Learning<'_>) -> String {
 }
 
 fn by_pupil(of: &Learning<'_>) -> Vec<Vec<String>> {
-    let row = |it: &crate::gradebook::Matched<'_>| {
-        let [before, after] = it.right;
-        let change = after as f64 - before as f64;
+    let row = |it: &Matched<'_>| {
         let mut row = vec![clean(&it.pupil.name, NAME), clean(&it.pupil.class, 16)];
         row.extend(it.right.map(|right| format!("{right} of {}", of.count)));
-        row.push(match change > 0.0 {
-            true => format!("+{}", fixed(change, 0)),
-            false => fixed(change, 0),
+        let [before, after] = it.right.map(|right| right as i64);
+        row.push(match after - before {
+            0 => "0".into(),
+            change => format!("{change:+}"),
         });
         row
     };
@@ -196,10 +195,9 @@ fn by_pupil(of: &Learning<'_>) -> Vec<Vec<String>> {
 }
 
 fn by_misconception(of: &Learning<'_>) -> Vec<Vec<String>> {
-    let row = |it: &crate::gradebook::BeliefChange| {
-        let mut row = vec![it.misconception.name().to_owned()];
-        row.extend([0, 1].map(|form| format!("{} of {}", it.fits[form], it.could[form])));
-        row
+    let row = |it: &HeldBelief| {
+        let name = it.misconception.name().to_owned();
+        vec![name, it.before.to_string(), it.since.to_string()]
     };
     of.beliefs.iter().map(row).collect()
 }
