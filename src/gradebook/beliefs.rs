@@ -1,7 +1,7 @@
 //! The misconceptions of a class.
 
 use super::{ClassResults, PupilResults};
-use crate::progress;
+use crate::progress::Attempt;
 use crate::quiz::Misconception;
 
 /// A misconception that a class has shown.
@@ -22,8 +22,7 @@ pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
         let holds = |it: &&PupilResults<'_>| {
             { it.beliefs.iter() }.any(|held| held.misconception == misconception)
         };
-        let fits =
-            |it: &&progress::Attempt| it.misconception.as_deref() == Some(misconception.id());
+        let fits = |it: &&Attempt| it.shows() == Some(misconception);
         BeliefCount {
             misconception,
             pupils: pupils.iter().filter(holds).count(),
@@ -36,4 +35,31 @@ pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     all.retain(|it| it.answers > 0);
     all.sort_by_key(|it| std::cmp::Reverse((it.pupils, it.answers)));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gradebook::{Gradebook, HandIn};
+
+    #[test]
+    fn answers_with_the_former_id_of_a_misconception_are_counted() {
+        let former = Attempt {
+            misconception: Some("linear-offset".into()),
+            ..Attempt::default()
+        };
+        let hand_in = HandIn {
+            name: "Ada".into(),
+            class: String::new(),
+            attempts: vec![former],
+        };
+        let mut book = Gradebook::default();
+        book.add("ada.json", Ok(hand_in));
+        let expected = BeliefCount {
+            misconception: Misconception::OffsetAsAngle,
+            pupils: 0,
+            answers: 1,
+        };
+        assert_eq!(beliefs(&book.results()), [expected]);
+    }
 }
