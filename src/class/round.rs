@@ -12,7 +12,7 @@ use super::names::tidy;
 use super::step::ClassPlace;
 use super::way::WayOfVoting;
 use crate::progress::Tally;
-use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question, Response, Round};
+use crate::quiz::{Answer, Clue, Code, Grade, Misconception, Question, Response, Round};
 
 /// A participant: a team, or a pupil on their own device.
 #[derive(Debug, Clone, PartialEq)]
@@ -444,8 +444,8 @@ impl ClassRound {
         vote: Vote,
     ) -> impl Iterator<Item = (Misconception, Response)> {
         self.said(question, vote).filter_map(move |said| {
-            let diagnosis = self.diagnose(question, Some(said))?;
-            Some((diagnosis.misconception, said))
+            let misconception = self.diagnose(question, Some(said))?;
+            Some((misconception, said))
         })
     }
 
@@ -493,8 +493,10 @@ impl ClassRound {
     }
 
     /// The misconception that a vote fits.
-    pub fn diagnose(&self, question: usize, said: Option<Response>) -> Option<Diagnosis> {
-        self.questions().get(question)?.diagnose(&unsure(said?))
+    pub fn diagnose(&self, question: usize, said: Option<Response>) -> Option<Misconception> {
+        let question = self.questions().get(question)?;
+        let (belief, _) = question.belief_of(&unsure(said?))?;
+        Some(belief.misconception)
     }
 
     /// A team's points for a question, from 0 to [`Grade::MOST`], according to how close its vote

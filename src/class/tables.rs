@@ -70,7 +70,7 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
         cell(grade, |it| if it.right { "yes" } else { "no" }.into()),
         cell(grade, |it| format!("{:.3}", it.credit)),
         cell(grade.and_then(|it| it.angle_error), bare_degrees),
-        cell(diagnosis, |it| it.misconception.id().into()),
+        cell(diagnosis, |it| it.id().into()),
     ]
 }
 

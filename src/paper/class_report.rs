@@ -7,8 +7,7 @@ use maud::{Markup, html};
 use super::worksheet::{of_answer, on_screen, said};
 use super::{Paper, clean, html_page};
 use crate::class::{
-    Advice, ClassBelief, ClassRound, ItemAnalysis, Standing, Vote, WayOfVoting, beliefs, items,
-    standings,
+    Advice, ClassBelief, ClassRound, ItemAnalysis, Vote, WayOfVoting, beliefs, items, standings,
 };
 use crate::lessons::Book;
 use crate::numbers::{self, counted, fixed};
@@ -185,7 +184,7 @@ fn next(round: &ClassRound, held: &[ClassBelief], book: &Book) -> Markup {
 /// The results of each participant.
 fn by_name(round: &ClassRound) -> Markup {
     let asked = round.questions().len();
-    let all: Vec<Standing> = standings(round, asked);
+    let all = standings(round, asked);
     html! {
         h2 { "Results by name" }
         table {
@@ -227,7 +226,7 @@ struct AnswerRow {
 
 /// The answers that a question can get: its choices, or else the right answer, the answers that
 /// misconceptions lead to, and all others together.
-fn answers(round: &ClassRound, number: usize, question: &Question) -> Vec<AnswerRow> {
+fn answers(round: &ClassRound, item: &ItemAnalysis, question: &Question) -> Vec<AnswerRow> {
     let wrong = question.wrong_answers();
     let row = |answer: &Response| {
         let found = wrong.iter().find(|(it, ..)| it == answer);
@@ -251,22 +250,16 @@ fn answers(round: &ClassRound, number: usize, question: &Question) -> Vec<Answer
         words: "other answers".into(),
         ..AnswerRow::default()
     };
-    for vote in Vote::BOTH {
-        for answer in round.said(number, vote) {
-            let diagnosis = round
-                .diagnose(number, Some(answer))
-                .map(|it| it.misconception);
-            let at = match answer {
-                Response::Choice(choice) => Some(choice),
-                _ if question.form.is_right(&answer) => Some(0),
-                _ => {
-                    let is_it = |it: &AnswerRow| it.misconception == diagnosis;
-                    diagnosis.and_then(|_| rows.iter().position(is_it))
-                }
-            };
-            let row = at.and_then(|at| rows.get_mut(at)).unwrap_or(&mut other);
-            row.votes[vote as usize] += 1;
-        }
+    for (answer, votes) in &item.counts {
+        let at = match answer {
+            Response::Choice(choice) => Some(*choice),
+            _ if question.form.is_right(answer) => Some(0),
+            _ => round
+                .diagnose(item.question, Some(*answer))
+                .and_then(|held| rows.iter().position(|it| it.misconception == Some(held))),
+        };
+        let row = at.and_then(|at| rows.get_mut(at)).unwrap_or(&mut other);
+        row.votes = [0, 1].map(|vote| row.votes[vote] + votes[vote]);
     }
     if !is_choice {
         // Answers that nobody gave would only fill the page.
@@ -283,7 +276,7 @@ fn question(round: &ClassRound, item: &ItemAnalysis, book: &Book) -> Markup {
     let Some(question) = round.questions().get(number) else {
         return html! {};
     };
-    let rows = answers(round, number, question);
+    let rows = answers(round, item, question);
     let all = item.votes.map(|it| it.attempts);
     let picture = match question.form {
         // Only the true collision shows where a shot goes.
@@ -385,7 +378,8 @@ mod tests {
                     round.vote(number, team, Vote::First, said);
                 }
                 round.vote(number, 1, Vote::Second, Some(truth));
-                let rows = answers(&round, number, &round.questions()[number]);
+                let item = &items(&round, number + 1)[number];
+                let rows = answers(&round, item, &round.questions()[number]);
                 let votes = round.voted(number, Vote::First);
                 for (vote, at) in [(0, Vote::First), (1, Vote::Second)] {
                     let all: usize = rows.iter().map(|it| it.votes[vote]).sum();

@@ -3,7 +3,7 @@
 //! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each question belongs to a
 //! [`Family`], which draws the figures and knows the true answer and the answer that each
 //! [`Misconception`] leads to. The player gives an [`Answer`]: a [`Response`] in the question's
-//! [`Form`], and how sure they are. [`Grade`] rates the answer, [`Question::diagnose`] finds the
+//! [`Form`], and how sure they are. [`Grade`] rates the answer, [`Question::belief_of`] finds the
 //! known misconception that it fits, and [`explain()`] explains the right answer.
 //!
 //! The [`concepts`] are questions in words, written by hand.
@@ -31,7 +31,7 @@ mod rounds;
 pub use families::where_to::hits;
 pub use misconceptions::{Clue, Origin, explain, named, why};
 pub(crate) use misconceptions::{Evidence, NAMED_ODDS, evidence, why_of_hit};
-pub(crate) use question::{AimTask, Diagnosis, Markings, Passage, RayGrade, RaysGrade, figures};
+pub(crate) use question::{AimTask, Markings, Passage, RayGrade, RaysGrade, figures};
 pub use question::{
     Answer, Confidence, Dice, Difficulty, Family, Figures, Fit, Form, Grade, Hit, Illustration,
     MIN_SEPARATION, Measure, Misconception, Pieces, Question, RIGHT_DEG, Ray, Rays, Response,

@@ -7,15 +7,18 @@ use carrom::physics::ImpactPoint;
 use carrom::progress::{Attempt, Summary, calibration};
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{
-    Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG, Ray,
-    Rays, Response, Round, explain, hits,
+    Answer, Code, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG,
+    Ray, Rays, Response, Round, explain, hits,
 };
 use carrom::widgets::{Charset, text::wrap};
 use glam::DVec2;
 
 const SEEDS: u64 = 2_000;
 
-static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| (0..SEEDS).map(Round::hits).collect());
+static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| {
+    let codes = (0..SEEDS).map(Code::hits);
+    codes.map(Round::of).collect()
+});
 
 fn questions() -> impl Iterator<Item = &'static Question> {
     ROUNDS.iter().flat_map(Round::questions)
@@ -98,7 +101,7 @@ fn the_right_answer_earns_full_credit_and_is_never_diagnosed() {
         assert!(grade.right);
         assert!((grade.credit - 1.0).abs() < 1e-12);
         assert!((grade.points() - Grade::MOST).abs() < 1e-12);
-        assert_eq!(question.diagnose(&answer), None);
+        assert_eq!(question.belief_of(&answer), None);
         assert_eq!(explain(question, &answer).title, "right");
     }
 }
@@ -112,9 +115,9 @@ fn each_misconception_is_recognized_by_its_answer() {
             met[place.expect("a misconception of rays")] += 1;
             let answer = Answer::new(belief.said, Confidence::Sure);
             assert!(!Grade::new(question, &answer).right);
-            let diagnosis = question.diagnose(&answer).expect("a diagnosis");
-            assert_eq!(diagnosis.misconception, belief.misconception);
-            assert_eq!(diagnosis.fit, Fit::Whole);
+            let (found, fit) = question.belief_of(&answer).expect("a diagnosis");
+            assert_eq!(found.misconception, belief.misconception);
+            assert_eq!(fit, Fit::Whole);
         }
     }
     for (misconception, times) in ALL.into_iter().zip(met) {
@@ -132,11 +135,11 @@ fn a_small_inaccuracy_changes_no_diagnosis() {
     for question in questions().take(1_200) {
         for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
             let right = sure(nudged(truth(question), a, b));
-            assert_eq!(question.diagnose(&right), None);
+            assert_eq!(question.belief_of(&right), None);
             for (misconception, rays, _) in beliefs(question) {
                 let answer = sure(nudged(rays, a, b));
-                let diagnosis = question.diagnose(&answer).expect("a diagnosis");
-                assert_eq!(diagnosis.misconception, misconception);
+                let (found, _) = question.belief_of(&answer).expect("a diagnosis");
+                assert_eq!(found.misconception, misconception);
             }
         }
     }
@@ -155,10 +158,11 @@ fn one_ray_that_reveals_a_misconception_is_enough() {
                 Ray::Striker => rays.target = wild,
                 Ray::Target => rays.striker = wild,
             }
-            let diagnosis = question.diagnose(&sure(rays)).expect("a diagnosis");
-            assert_eq!(diagnosis.fit, Fit::OneRay(ray), "{question:?}");
+            let answer = sure(rays);
+            let (found, fit) = question.belief_of(&answer).expect("a diagnosis");
+            assert_eq!(fit, Fit::OneRay(ray), "{question:?}");
             let (_, named, _) = beliefs(question)
-                .find(|(misconception, ..)| *misconception == diagnosis.misconception)
+                .find(|(misconception, ..)| *misconception == found.misconception)
                 .expect("a prediction");
             let off = named.apart(&held, ray).expect("an angle");
             assert!(off <= RIGHT_DEG.to_radians());
@@ -227,7 +231,7 @@ fn a_round_has_ten_different_questions() {
 #[test]
 fn a_code_always_gives_the_same_round() {
     let rounds = [0, 1, 7, 42, 999_999, u64::MAX].map(|seed| {
-        let round = Round::hits(seed);
+        let round = Round::of(Code::hits(seed));
         let questions = round.questions().iter().map(|question| {
             let direction_deg = question.figures["direction_deg"].as_f64();
             format!("[{}°] {}\n", direction_deg.unwrap(), question.text)
@@ -279,7 +283,7 @@ fn a_round_answered_according_to_one_misconception_names_it() {
 
 #[test]
 fn the_summaries_of_a_perfect_round_and_of_no_answers_are_right() {
-    let round = Round::hits(3);
+    let round = Round::of(Code::hits(3));
     let answers: Vec<Answer> = round.questions().iter().map(|q| sure(truth(q))).collect();
     let summary = summary(&round, &answers);
     assert!((summary.points() - 100.0).abs() < 1e-9);

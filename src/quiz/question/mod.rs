@@ -42,7 +42,6 @@ pub use measure::Measure;
 pub use misconception::Misconception;
 pub(crate) use passage::Passage;
 pub use pieces::Pieces;
-pub(crate) use question::Diagnosis;
 pub(super) use question::nearest;
 pub use question::{Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};

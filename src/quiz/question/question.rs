@@ -68,15 +68,6 @@ impl WrongAnswer {
     }
 }
 
-/// The misconception that an answer fits best.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Diagnosis {
-    /// The misconception that the answer fits.
-    pub misconception: Misconception,
-    /// How much of the player's answer fits this misconception.
-    pub fit: Fit,
-}
-
 /// How much of an answer fits a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fit {
@@ -125,22 +116,14 @@ impl Question {
         beliefs.chain(replies).collect()
     }
 
-    /// Finds the misconception that an answer fits best, if the answer fits any.
+    /// The wrong answer that an answer fits best, if it fits any, and how much of the answer fits.
     ///
     /// A right answer fits no misconception. A fit of the whole answer takes precedence over a fit
     /// of the telltale ray alone. Among equal fits the closest one is chosen, with distances
     /// rounded to a fortieth of the tolerance (a tenth of a degree); among equally close fits, the
     /// one that comes first in [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray
     /// must also be wrong.
-    pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
-        self.belief_of(answer).map(|(belief, fit)| Diagnosis {
-            misconception: belief.misconception,
-            fit,
-        })
-    }
-
-    /// The wrong answer that an answer fits best, and how much of the answer fits.
-    pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
+    pub fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
         if self.form.is_right(&answer.said) {
             return None;
         }
@@ -150,11 +133,6 @@ impl Question {
         });
         fits.min_by_key(|(_, fit, distance)| (*fit != Fit::Whole, (40.0 * distance).round() as i64))
             .map(|(belief, fit, _)| (belief, fit))
-    }
-
-    /// The misconceptions that an answer to this question could show.
-    pub fn could_show(&self) -> impl Iterator<Item = Misconception> {
-        self.beliefs.iter().map(|belief| belief.misconception)
     }
 
     /// How far an answer may be from the answer of a misconception and still fit that

@@ -31,7 +31,7 @@ fn each_question_is_asked_as_it_is_written_in_its_file() {
             let place = options.iter().position(|it| *it == wrong.choice).unwrap();
             assert_ne!(place, *right);
             let answer = Answer::new(Response::Choice(place), Confidence::Sure);
-            let found = question.diagnose(&answer).map(|it| it.misconception);
+            let found = question.belief_of(&answer).map(|(it, _)| it.misconception);
             assert_eq!(found, wrong.misconception);
             let told = explain(&question, &answer).text;
             assert_eq!(told, format!("{} {}", wrong.says, written.why));
@@ -121,13 +121,14 @@ fn no_question_comes_twice_in_a_round() {
     for count in [6, 30] {
         for seed in 0..300 {
             let course = Course::of(CourseKind::Topic(Family::Concept), count);
-            let round = Round::new(course, seed);
+            let round = Round::of(Code { course, seed });
             let texts: BTreeSet<_> = round.questions().iter().map(|it| &it.text).collect();
             assert_eq!(texts.len(), count, "{seed}");
         }
     }
     for seed in 0..300 {
-        let round = Round::new(Course::new(CourseKind::Topic(Family::Ideas)), seed);
+        let course = Course::new(CourseKind::Topic(Family::Ideas));
+        let round = Round::of(Code { course, seed });
         let texts: BTreeSet<_> = round.questions().iter().map(|it| &it.text).collect();
         assert_eq!(texts.len(), round.questions().len(), "{seed}");
     }

@@ -173,7 +173,7 @@ pub(crate) fn assert_question(question: &Question) {
         "{question:#?}"
     );
     assert!((grade.points() - Grade::MOST).abs() < 1e-12);
-    assert_eq!(question.diagnose(&truth), None, "{question:#?}");
+    assert_eq!(question.belief_of(&truth), None, "{question:#?}");
 
     // The last bit of a number, which may differ between machines, must not change the question.
     let clearance = question.clearance();
@@ -186,12 +186,9 @@ pub(crate) fn assert_question(question: &Question) {
     for belief in &question.beliefs {
         let answer = Answer::new(belief.said, Confidence::Sure);
         assert!(!Grade::new(question, &answer).right, "{question:#?}");
-        let diagnosis = question.diagnose(&answer).unwrap();
-        assert_eq!(
-            diagnosis.misconception, belief.misconception,
-            "{question:#?}"
-        );
-        assert_eq!(diagnosis.fit, Fit::Whole);
+        let (found, fit) = question.belief_of(&answer).unwrap();
+        assert_eq!(found.misconception, belief.misconception, "{question:#?}");
+        assert_eq!(fit, Fit::Whole);
         assert_can_be_said(question, &belief.said);
     }
     assert_can_be_said(question, &form.truth());
