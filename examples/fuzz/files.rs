@@ -89,7 +89,7 @@ pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
 /// Answers to a round of ten questions, recorded under this code.
 fn attempts(code: &str) -> Vec<Attempt> {
     let noted = Code::parse(code).unwrap_or_else(|| Code::hits(7));
-    let round = Round::hits(7);
+    let round = Round::of(Code::hits(7));
     let asked = { 1.. }.zip(round.questions());
     let noted = asked.map(|(number, question)| {
         let answer = Answer::new(question.beliefs[0].said, Confidence::Sure);

@@ -99,7 +99,10 @@ mod tests {
         assert_eq!(found.first().len(), Course::REVIEWED);
         let course = Course::new(found.course().unwrap());
         assert_eq!(course.count, Course::REVIEWED);
-        assert_eq!(Round::new(course, 7).questions().len(), Course::REVIEWED);
+        assert_eq!(
+            Round::of(Code { course, seed: 7 }).questions().len(),
+            Course::REVIEWED
+        );
         assert_eq!(found.now[0].id(), attempts.last().unwrap().topic);
     }
 

@@ -12,7 +12,7 @@ use carrom::lessons::Bookmark;
 use carrom::levels::Starred;
 use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::progress::Attempt;
-use carrom::quiz::{Answer, Confidence, Round};
+use carrom::quiz::{Answer, Code, Confidence, Round};
 use carrom::store::Store;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -94,7 +94,7 @@ fn found(path: &Path, keys: &[Keys]) -> Rows {
 /// page, some chapters and some levels.
 fn sound(folder: &Path) -> Vec<u8> {
     let mut store = Store::in_folder(folder).timeless();
-    let round = Round::hits(7);
+    let round = Round::of(Code::hits(7));
     let long = "球".repeat(3000);
     let questions = round.questions().iter().cycle();
     let players = ["Ada", "Bo", "Cy", "Ada", "Bo", "Cy", &long]

@@ -155,7 +155,8 @@ fn a_single_slip_by_a_player_who_knows_most_topics_is_reviewed_once_a_day() {
     };
     assert_eq!(due.now.len(), 1);
     let kind = Step::Review(due).round().unwrap();
-    let round = Round::new(Course::new(kind), 7);
+    let course = Course::new(kind);
+    let round = Round::of(Code { course, seed: 7 });
     let question = &round.questions()[0];
     let answer = Answer::new(question.form.truth(), Confidence::Guess);
     let again = Attempt::of_quiz("Ada", round.code(), 1, question, &answer);
@@ -176,8 +177,12 @@ fn known_chapters_are_not_suggested_and_levels_come_before_the_table() {
     ada.answers("from-angle3-7", None, true);
     while let Some(kind) = ada.next().round() {
         assert!(matches!(kind, CourseKind::Read(_)), "{kind:?}");
-        let round = Round::new(Course::new(kind), asked);
-        ada.answers(&round.code().to_string(), None, true);
+        let course = Course::new(kind);
+        let code = Code {
+            course,
+            seed: asked,
+        };
+        ada.answers(&code.to_string(), None, true);
         asked += 1;
         assert!(asked < 12);
     }
@@ -194,7 +199,7 @@ fn a_new_player_is_asked_about_equal_masses_in_pictures() {
     let topics = Somebody::default().so_far(|it| it.topics_met());
     for seed in 0..40 {
         let course = Course::of(CourseKind::Met(topics.clone()), 10);
-        let round = Round::new(course, seed);
+        let round = Round::of(Code { course, seed });
         assert!(round.questions().len() >= 9, "{seed}");
         for question in round.questions() {
             let figure = |name: &str| question.figures.get(name).and_then(|it| it.as_f64());
@@ -243,7 +248,8 @@ fn personal_rounds_have_no_code() {
 #[test]
 fn finding_out_begins_with_equal_masses() {
     for seed in 0..60 {
-        let round = Round::new(Course::new(CourseKind::FindOut), seed);
+        let course = Course::new(CourseKind::FindOut);
+        let round = Round::of(Code { course, seed });
         let question = &round.questions()[0];
         let figure = |name: &str| question.figures.get(name).and_then(|it| it.as_f64());
         assert_eq!(figure("m1_g"), figure("m2_g"), "{}", question.text);

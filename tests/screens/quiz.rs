@@ -98,7 +98,7 @@ const WILD: Rays = Rays::new(-1.3, -1.3);
 fn a_round_of_right_answers_earns_all_points() {
     for seed in [0, 7, 42] {
         let mut game = plain(seed);
-        for (i, question) in Round::hits(seed).questions().iter().enumerate() {
+        for (i, question) in Round::of(Code::hits(seed)).questions().iter().enumerate() {
             let screen = game.screen();
             let place = format!("question {} of 10  {i} right", i + 1);
             let place = place.replace(" 00.0", " 0.0");
@@ -129,7 +129,7 @@ fn every_misconception_is_named_and_fully_explained() {
     for seed in 0..60 {
         let charset = [Charset::Ascii, Charset::Unicode][seed as usize % 2];
         let mut game = quiz(seed, charset, (80, 24));
-        for question in Round::hits(seed).questions() {
+        for question in Round::of(Code::hits(seed)).questions() {
             let (i, rays) = ALL
                 .into_iter()
                 .enumerate()
@@ -161,7 +161,7 @@ fn every_misconception_is_named_and_fully_explained() {
 #[test]
 fn a_misconception_held_throughout_is_named_at_the_end() {
     let mut game = plain(7);
-    for question in Round::hits(7).questions() {
+    for question in Round::of(Code::hits(7)).questions() {
         let copied = held(question, 0);
         answer(&mut game, question, &copied.unwrap_or(truth(question)), "3");
         game.press("<Enter>");
@@ -181,7 +181,7 @@ fn a_misconception_held_throughout_is_named_at_the_end() {
 fn a_disc_that_stays_still_is_described_in_words() {
     let mut game = plain(7);
     let mut met = 0;
-    for question in Round::hits(7).questions() {
+    for question in Round::of(Code::hits(7)).questions() {
         let truth = truth(question);
         answer(&mut game, question, &truth, "3");
         if truth.striker.is_none() {
@@ -201,7 +201,7 @@ fn a_disc_that_stays_still_is_described_in_words() {
 
 #[test]
 fn confidence_is_given_by_digit_by_arrows_or_by_the_mouse() {
-    let question = Round::hits(7).questions()[0].clone();
+    let question = Round::of(Code::hits(7)).questions()[0].clone();
     let rows = [("guess", 5), ("think so", 6), ("sure", 7)];
     for (sure, points) in [7, 9, 10].into_iter().enumerate() {
         let (name, _) = rows[sure];
@@ -256,7 +256,7 @@ fn the_mouse_turns_the_rays() {
 
 #[test]
 fn points_are_added_only_after_the_outcome_is_shown() {
-    let question = Round::hits(7).questions()[0].clone();
+    let question = Round::of(Code::hits(7)).questions()[0].clone();
     let mut game = plain(7);
     game.press(&keys(&question, &truth(&question)));
     game.press("3");
@@ -309,7 +309,7 @@ fn escape_goes_back_a_step_and_asks_before_a_round_is_lost() {
 #[test]
 fn negative_points_are_shown_with_their_sign() {
     let mut game = plain(7);
-    let round = Round::hits(7);
+    let round = Round::of(Code::hits(7));
     let questions = round.questions();
     // Both rays point almost straight back, so neither is nearly right.
     answer(&mut game, &questions[0], &Rays::new(-3.0, -3.0), "2");
@@ -332,7 +332,7 @@ fn a_round_without_answers_is_left_at_once() {
 #[test]
 fn a_round_is_followed_by_another_or_by_the_choice_of_a_round() {
     let mut game = plain(7);
-    for question in Round::hits(7).questions() {
+    for question in Round::of(Code::hits(7)).questions() {
         answer(&mut game, question, &WILD, "1");
         game.press("<Enter>");
     }
@@ -408,7 +408,7 @@ fn on_the_smallest_screen_every_text_can_be_reached() {
     for seed in 0..12 {
         let charset = [Charset::Ascii, Charset::Unicode][seed as usize % 2];
         let mut game = quiz(seed, charset, SMALL);
-        for question in Round::hits(seed).questions() {
+        for question in Round::of(Code::hits(seed)).questions() {
             let asked = words(&charset.text(&question.text));
             assert!(
                 panel(&mut game, SMALL).contains(&asked),

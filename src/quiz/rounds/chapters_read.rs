@@ -74,7 +74,8 @@ impl ChaptersRead {
     /// is chosen once before any is chosen again. As far as possible, easy questions come first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
-        let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);
+        let topics = dice.in_turn(&topics, count);
+        let mut questions = review::questions(&topics, Topic::families_in_codes, dice);
         let mut asked = BTreeSet::new();
         questions.retain(|question| asked.insert(question.text.clone()));
         questions

@@ -6,18 +6,6 @@ use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// `count` questions about these topics, or fewer if a topic has no questions. Every topic is
-/// chosen once before any is chosen again. As far as possible, easy questions come first.
-pub(super) fn in_turn(
-    topics: &[Topic],
-    count: usize,
-    families: fn(&Topic) -> Vec<Family>,
-    dice: &mut Dice,
-) -> Vec<Question> {
-    let order = dice.in_turn(topics, count);
-    questions(&order, families, dice)
-}
-
 /// A question about each of these topics, from the families that `families` returns for the topic,
 /// in random order but with easy questions first as far as possible. No family comes twice in a row
 /// as long as a remaining topic has another family, because it is best to return to an idea after

@@ -40,8 +40,9 @@ const SHOWING_DRAWS: usize = 400;
 const VERSION_DRAWS: usize = 400;
 
 impl Round {
-    /// Creates the round with this course and this seed.
-    pub fn new(course: Course, seed: u64) -> Self {
+    /// Creates the round with this code.
+    pub fn of(code: Code) -> Self {
+        let (course, seed) = (&code.course, code.seed);
         let count = course.count;
         let mut dice = Dice::new(salted(course.kind.id(), seed));
         let questions = match &course.kind {
@@ -77,7 +78,8 @@ impl Round {
                 chosen.map(|it| it.question.clone()).collect()
             }
             CourseKind::Met(topics) => {
-                let asked = review::in_turn(topics, count, Topic::families, &mut dice);
+                let topics = dice.in_turn(topics, count);
+                let asked = review::questions(&topics, Topic::families, &mut dice);
                 let mut questions: Vec<Question> = Vec::with_capacity(asked.len());
                 for question in asked {
                     if !questions.iter().any(|it| is_same(it, &question)) {
@@ -91,10 +93,7 @@ impl Round {
                 review::questions(topics, Topic::families, &mut dice)
             }
         };
-        let mut round = Self {
-            code: Code { course, seed },
-            questions,
-        };
+        let mut round = Self { code, questions };
         round.go_on(&[]);
         round
     }
@@ -126,16 +125,6 @@ impl Round {
             let next = find_out::ask(candidates, &self.questions, &in_codes, dice);
             self.questions.extend(next);
         }
-    }
-
-    /// The ten hits with this seed.
-    pub fn hits(seed: u64) -> Self {
-        Self::new(Course::new(CourseKind::Hits), seed)
-    }
-
-    /// The round with this code.
-    pub fn of(code: Code) -> Self {
-        Self::new(code.course, code.seed)
     }
 
     /// Another version of the round, for pupils who sit side by side. As far as possible, each

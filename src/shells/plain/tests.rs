@@ -6,7 +6,9 @@ use super::page::{read, unit};
 use super::{PlainReader, spoken};
 use crate::app::App;
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
-use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
+use crate::quiz::{
+    Answer, Code, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain,
+};
 use crate::screens::{Route, Settings};
 use crate::shells::Headless;
 
@@ -14,7 +16,8 @@ use crate::shells::Headless;
 fn every_question_is_read_aloud_completely() {
     for &family in Family::ALL {
         for seed in 0..20 {
-            let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
+            let course = Course::new(CourseKind::Topic(family));
+            let round = Round::of(Code { course, seed });
             for question in round.questions() {
                 let mut lines = vec![by_words(&question.text)];
                 if let Form::Choice { options, .. } = &question.form {
