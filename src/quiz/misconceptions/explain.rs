@@ -55,7 +55,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             };
             let way = match aim.error(*offset) {
                 Some(error) => format!("The {disc} misses the mark by {}.", degrees(error)),
-                None if aim.outcome(*offset).hit() => format!("The {disc} does not move."),
+                None if aim.rays(*offset).is_some() => format!("The {disc} does not move."),
                 None => "The striker misses: the offset is larger than r₁ + r₂.".into(),
             };
             ("off the mark", way)

@@ -1,7 +1,7 @@
 //! How a question is answered, and the correct answer.
 
+use crate::physics::Collision;
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::physics::{Collision, CollisionOutcome};
 
 use super::tolerance::{NUMBER_BY_CHANCE, RAYS_BY_CHANCE, RIGHT_DEG, is_within};
 use super::{Measure, Ray, Rays, Response};
@@ -51,9 +51,10 @@ pub struct AimTask {
 }
 
 impl AimTask {
-    /// The outcome of the hit with this offset, in metres.
-    pub(crate) fn outcome(&self, offset: f64) -> CollisionOutcome {
-        self.with(offset).outcome()
+    /// Where the two discs go with this offset, in metres; `None` if the shot misses.
+    pub(crate) fn rays(&self, offset: f64) -> Option<Rays> {
+        let outcome = self.with(offset).outcome();
+        outcome.hit().then(|| Rays::from(&outcome))
     }
 
     /// The hit with this offset, in metres.
@@ -73,12 +74,8 @@ impl AimTask {
     /// The error of the disc's direction with this offset, in radians from 0 to π; `None` if the
     /// disc does not move or if the shot misses.
     pub(crate) fn error(&self, offset: f64) -> Option<f64> {
-        let outcome = self.outcome(offset);
-        if !outcome.hit() {
-            return None;
-        }
         let wanted = Rays::new(self.wanted, self.wanted);
-        Rays::from(&outcome).apart(&wanted, self.ray)
+        self.rays(offset)?.apart(&wanted, self.ray)
     }
 }
 
@@ -168,11 +165,7 @@ impl Form {
             }
             (Self::Choice { .. }, Response::Choice(a), Response::Choice(b)) if a == b => 0.0,
             (Self::Shot(aim), Response::Shot(a), Response::Shot(b)) => {
-                let [a, b] = [*a, *b].map(|offset| {
-                    let outcome = aim.outcome(offset);
-                    outcome.hit().then(|| Rays::from(&outcome))
-                });
-                match (a, b) {
+                match (aim.rays(*a), aim.rays(*b)) {
                     (None, None) => 0.0,
                     (Some(a), Some(b)) => a.apart(&b, aim.ray).map_or(f64::INFINITY, angle),
                     _ => f64::INFINITY,
