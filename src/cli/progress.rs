@@ -186,7 +186,7 @@ fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
 fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
     let path = &file.path;
     if !file.is_second {
-        return vec![(path.clone(), Report::html_of_all(reports))];
+        return vec![(path.clone(), Report::html(reports))];
     }
     let stem = path.file_stem().and_then(OsStr::to_str);
     let all = format!("{}-pictures", stem.unwrap_or("report"));

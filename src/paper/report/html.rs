@@ -13,14 +13,17 @@ use crate::progress::words::{degrees, percent};
 /// side, so there is little room.
 const NAME: usize = 40;
 
-pub(super) fn document(reports: &[Report]) -> String {
-    let whose = match reports {
-        [one] => &one.name,
-        _ => "carrom",
-    };
-    let title = format!("{whose}: glancing collisions");
-    let sheets = reports.iter().map(sheet);
-    html_page(&title, include_str!("report.css"), Paper::A4, sheets)
+impl Report<'_> {
+    /// These reports as one HTML document that contains its pictures, each on its own page.
+    pub fn html(reports: &[Self]) -> String {
+        let whose = match reports {
+            [one] => &one.name,
+            _ => "carrom",
+        };
+        let title = format!("{whose}: glancing collisions");
+        let sheets = reports.iter().map(sheet);
+        html_page(&title, include_str!("report.css"), Paper::A4, sheets)
+    }
 }
 
 fn sheet(report: &Report) -> Markup {

@@ -7,26 +7,30 @@ use crate::paper::Markdown;
 use crate::progress::ends_deg;
 use crate::progress::words::{degrees, percent};
 
-pub(super) fn document(report: &Report, folder: &str) -> String {
-    let mut document = Markdown::new();
-    document.heading(1, &report.name);
-    document.paragraph("carrom · glancing collisions");
-    if report.attempts.is_empty() {
-        document.paragraph("There is nothing here yet: every game starts with a clean board.");
-    } else {
-        document.paragraph(&format!("{}.", report.span()));
-        figures(report, &mut document);
-        for picture in report.pictures() {
-            let place = format!("{folder}/{}.svg", picture.name);
-            document.heading(2, picture.title);
-            document.picture(picture.svg.words(), &place);
-            document.paragraph(&picture.legend);
+impl Report<'_> {
+    /// The report as a Markdown document. Its pictures are in `folder`, a path relative to the
+    /// document.
+    pub fn markdown(&self, folder: &str) -> String {
+        let mut document = Markdown::new();
+        document.heading(1, &self.name);
+        document.paragraph("carrom · glancing collisions");
+        if self.attempts.is_empty() {
+            document.paragraph("There is nothing here yet: every game starts with a clean board.");
+        } else {
+            document.paragraph(&format!("{}.", self.span()));
+            figures(self, &mut document);
+            for picture in self.pictures() {
+                let place = format!("{folder}/{}.svg", picture.name);
+                document.heading(2, picture.title);
+                document.picture(picture.svg.words(), &place);
+                document.paragraph(&picture.legend);
+            }
+            tables(self, &mut document);
         }
-        tables(report, &mut document);
+        document.heading(2, "What next").paragraph(&self.next);
+        document.rule().paragraph(&self.origin());
+        document.text().to_owned()
     }
-    document.heading(2, "What next").paragraph(&report.next);
-    document.rule().paragraph(&report.origin());
-    document.text().to_owned()
 }
 
 fn figures(report: &Report, document: &mut Markdown) {

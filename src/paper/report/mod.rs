@@ -106,27 +106,6 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The report as an HTML document that contains its pictures.
-    pub fn html(&self) -> String {
-        Self::html_of_all(std::slice::from_ref(self))
-    }
-
-    /// Several reports as one HTML document, each on its own page.
-    pub(crate) fn html_of_all(reports: &[Self]) -> String {
-        html::document(reports)
-    }
-
-    /// The report as a Markdown document. Its pictures are in `folder`, a path relative to the
-    /// document.
-    pub fn markdown(&self, folder: &str) -> String {
-        markdown::document(self, folder)
-    }
-
-    /// All pictures for which there are enough answers.
-    pub fn pictures(&self) -> Vec<ReportPicture> {
-        pictures::all(self)
-    }
-
     /// The number of answers, and the days of the first and the last answer.
     fn span(&self) -> String {
         let count = counted(self.all.attempts, "answer");

@@ -38,9 +38,12 @@ pub struct ReportPicture {
     pub svg: Svg,
 }
 
-pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
-    let pictures = [errors(report), calibration(report), over_time(report)];
-    pictures.into_iter().flatten().collect()
+impl Report<'_> {
+    /// All pictures for which there are enough answers.
+    pub fn pictures(&self) -> Vec<ReportPicture> {
+        let pictures = [errors(self), calibration(self), over_time(self)];
+        pictures.into_iter().flatten().collect()
+    }
 }
 
 /// The error of each answer and the mean error of the last few answers; if there are many answers,

@@ -1,5 +1,6 @@
 //! The question sheet and the answer key in Markdown.
 
+use super::pictures::{ANSWER, QUESTION};
 use super::{Worksheet, WorksheetPicture, pictures, words};
 use crate::numbers;
 use crate::paper::Markdown;
@@ -19,32 +20,72 @@ fn head(document: &mut Markdown, worksheet: &Worksheet, kind: &str, title: &str)
     document.heading(1, title).paragraph(&line);
 }
 
-pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
-    let mut document = Markdown::new();
-    head(&mut document, worksheet, "worksheet", &worksheet.title);
-    document
-        .paragraph(&format!("Name {LINE} Class {BLANK} Date {BLANK}"))
-        .paragraph(words::ADVICE)
-        .paragraph(&words::worth(worksheet.round.questions()));
-    for (number, question) in (1..).zip(worksheet.round.questions()) {
+impl Worksheet<'_> {
+    /// The questions in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
+    /// document.
+    pub fn sheet_markdown(&self, folder: &str) -> String {
+        let mut document = Markdown::new();
+        head(&mut document, self, "worksheet", &self.title);
         document
-            .heading(2, &number.to_string())
-            .paragraph(&question.text);
-        let picture = pictures::of_question(question);
-        if let Some(WorksheetPicture { name, svg }) = WorksheetPicture::of_question(number, picture)
-        {
-            document.picture(svg.words(), &format!("{folder}/{name}"));
+            .paragraph(&format!("Name {LINE} Class {BLANK} Date {BLANK}"))
+            .paragraph(words::ADVICE)
+            .paragraph(&words::worth(self.round.questions()));
+        for (number, question) in (1..).zip(self.round.questions()) {
+            document
+                .heading(2, &number.to_string())
+                .paragraph(&question.text);
+            let picture = WorksheetPicture::new(QUESTION, number, pictures::of_question(question));
+            if let Some(WorksheetPicture { name, svg }) = picture {
+                document.picture(svg.words(), &format!("{folder}/{name}"));
+            }
+            if let Some(task) = words::task(question) {
+                document.paragraph(task);
+            }
+            room(&mut document, &question.form);
+            let sure = Confidence::ALL.map(|sure| format!("{BOX} {}", sure.name()));
+            let points = words::of_points(question);
+            let sure = sure.join(" ");
+            document.paragraph(&format!("How sure? {sure} · {BLANK}{points}"));
         }
-        if let Some(task) = words::task(question) {
-            document.paragraph(task);
-        }
-        room(&mut document, &question.form);
-        let sure = Confidence::ALL.map(|sure| format!("{BOX} {}", sure.name()));
-        let points = words::of_points(question);
-        let sure = sure.join(" ");
-        document.paragraph(&format!("How sure? {sure} · {BLANK}{points}"));
+        document.text().to_owned()
     }
-    document.text().to_owned()
+
+    /// The answers in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
+    /// document.
+    pub fn key_markdown(&self, folder: &str) -> String {
+        let mut document = Markdown::new();
+        let questions = self.round.questions();
+        head(&mut document, self, "key", &self.key_title());
+        document
+            .paragraph(words::KEY_ADVICE)
+            .heading(2, "At a glance")
+            .numbered(questions.iter().map(words::truth))
+            .paragraph(&words::tolerance())
+            .paragraph(&words::points());
+        for (number, question) in (1..).zip(questions) {
+            document
+                .heading(2, &format!("{number} {}", question.topic))
+                .paragraph(&question.text)
+                .strong(&words::truth(question))
+                .paragraph(&question.why);
+            let picture = WorksheetPicture::new(ANSWER, number, pictures::of_answer(question));
+            if let Some(WorksheetPicture { name, svg }) = picture {
+                document.picture(svg.words(), &format!("{folder}/{name}"));
+            }
+            let wrong = question.wrong_answers();
+            if !wrong.is_empty() {
+                let rows = wrong.into_iter().map(|(said, misconception, says)| {
+                    let revealed = misconception.map_or_else(
+                        || says.to_owned(),
+                        |misconception| format!("{}: {says}", misconception.name()),
+                    );
+                    vec![words::said(question, &said), revealed]
+                });
+                document.table(&words::WRONG_ANSWERS, rows);
+            }
+        }
+        document.text().to_owned()
+    }
 }
 
 /// Space for an answer of this form.
@@ -69,39 +110,4 @@ fn room(document: &mut Markdown, form: &Form) {
         ),
         Form::Shot(_) => document.paragraph(&format!("Offset: {BLANK} mm {BOX} left {BOX} right")),
     };
-}
-
-pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
-    let mut document = Markdown::new();
-    let questions = worksheet.round.questions();
-    head(&mut document, worksheet, "key", &worksheet.key_title());
-    document
-        .paragraph(words::KEY_ADVICE)
-        .heading(2, "At a glance")
-        .numbered(questions.iter().map(words::truth))
-        .paragraph(&words::tolerance())
-        .paragraph(&words::points());
-    for (number, question) in (1..).zip(questions) {
-        document
-            .heading(2, &format!("{number} {}", question.topic))
-            .paragraph(&question.text)
-            .strong(&words::truth(question))
-            .paragraph(&question.why);
-        let picture = pictures::of_answer(question);
-        if let Some(WorksheetPicture { name, svg }) = WorksheetPicture::of_answer(number, picture) {
-            document.picture(svg.words(), &format!("{folder}/{name}"));
-        }
-        let wrong = question.wrong_answers();
-        if !wrong.is_empty() {
-            let rows = wrong.into_iter().map(|(said, misconception, says)| {
-                let revealed = misconception.map_or_else(
-                    || says.to_owned(),
-                    |misconception| format!("{}: {says}", misconception.name()),
-                );
-                vec![words::said(question, &said), revealed]
-            });
-            document.table(&words::WRONG_ANSWERS, rows);
-        }
-    }
-    document.text().to_owned()
 }

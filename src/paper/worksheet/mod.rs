@@ -97,29 +97,6 @@ impl<'a> Worksheet<'a> {
         html_page(title, include_str!("worksheet.css"), self.paper, sheets)
     }
 
-    /// The questions in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
-    /// document.
-    pub fn sheet_markdown(&self, folder: &str) -> String {
-        markdown::questions(self, folder)
-    }
-
-    /// The answers in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
-    /// document.
-    pub fn key_markdown(&self, folder: &str) -> String {
-        markdown::answers(self, folder)
-    }
-
-    /// All pictures in the Markdown documents.
-    pub fn pictures(&self) -> Vec<WorksheetPicture> {
-        pictures::all(self.round)
-    }
-
-    /// The questions of these worksheets for Moodle's question bank: a file in its XML format, with
-    /// all answers, their feedback and the pictures.
-    pub fn moodle_xml(worksheets: &[Self]) -> String {
-        moodle::file(worksheets)
-    }
-
     fn key_title(&self) -> String {
         format!("Key: {}", self.title)
     }

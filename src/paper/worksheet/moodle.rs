@@ -9,6 +9,7 @@
 use data_encoding::BASE64;
 use maud::{Markup, PreEscaped, Render, html};
 
+use super::pictures::{ANSWER, QUESTION};
 use super::{Worksheet, WorksheetPicture, pictures, words};
 use crate::numbers::{capital, figures, tenths};
 use crate::physics::units::{deg_from_rad, mm_from_m};
@@ -27,22 +28,25 @@ struct KnownAnswer {
 /// A field of a question: all answers that it recognizes.
 struct AnswerField(Vec<KnownAnswer>);
 
-/// The file with the questions of these worksheets, each worksheet in a separate category.
-pub(super) fn file(worksheets: &[Worksheet]) -> String {
-    let quiz = html! {
-        quiz {
-            @for worksheet in worksheets {
-                (category(worksheet))
-                @for (number, question) in (1..).zip(worksheet.round.questions()) {
-                    (one(number, question))
+impl Worksheet<'_> {
+    /// The questions of these worksheets for Moodle's question bank: a file in its XML format, with
+    /// all answers, their feedback and the pictures, each worksheet in a separate category.
+    pub fn moodle_xml(worksheets: &[Self]) -> String {
+        let quiz = html! {
+            quiz {
+                @for worksheet in worksheets {
+                    (category(worksheet))
+                    @for (number, question) in (1..).zip(worksheet.round.questions()) {
+                        (one(number, question))
+                    }
                 }
             }
-        }
-    };
-    let quiz = quiz.into_string();
-    let xml = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{quiz}\n");
-    // XML allows neither of these characters, even escaped.
-    xml.replace(['\u{fffe}', '\u{ffff}'], "")
+        };
+        let quiz = quiz.into_string();
+        let xml = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{quiz}\n");
+        // XML allows neither of these characters, even escaped.
+        xml.replace(['\u{fffe}', '\u{ffff}'], "")
+    }
 }
 
 fn category(worksheet: &Worksheet) -> Markup {
@@ -65,13 +69,9 @@ fn category(worksheet: &Worksheet) -> Markup {
 }
 
 fn one(number: usize, question: &Question) -> Markup {
-    let kind = match &question.form {
-        Form::Rays { .. } | Form::Shot(_) => "cloze",
-        Form::Number { .. } => "numerical",
-        Form::Choice { .. } => "multichoice",
-    };
-    let asked = WorksheetPicture::of_question(number, pictures::on_screen(question));
-    let solved = WorksheetPicture::of_answer(number, pictures::of_answer(question));
+    let (kind, fields, answers) = answering(question);
+    let asked = WorksheetPicture::new(QUESTION, number, pictures::on_screen(question));
+    let solved = WorksheetPicture::new(ANSWER, number, pictures::of_answer(question));
     html! {
         question type=(kind) {
             name { text { (format_args!("{number:02} {}", question.topic)) } }
@@ -79,7 +79,7 @@ fn one(number: usize, question: &Question) -> Markup {
                 (inner(html! {
                     p { (unbroken(&question.text)) }
                     @if let Some(picture) = &asked { (picture.image()) }
-                    (fields(question))
+                    (fields)
                 }))
                 @if let Some(picture) = &asked { (picture.file()) }
             }
@@ -94,18 +94,7 @@ fn one(number: usize, question: &Question) -> Markup {
             defaultgrade { (words::worth_of(question)) }
             penalty { "0.3333333" }
             hidden { "0" }
-            @match &question.form {
-                Form::Number { quantity, .. } => {
-                    (of_number(question, quantity))
-                }
-                Form::Choice { options, .. } => {
-                    single { "true" }
-                    shuffleanswers { "false" }
-                    answernumbering { "ABCD" }
-                    (of_choices(question, options))
-                }
-                Form::Rays { .. } | Form::Shot(_) => {}
-            }
+            (answers)
         }
     }
 }
@@ -136,15 +125,25 @@ impl WorksheetPicture {
     }
 }
 
-/// The text after a question: the unit of its answer, or the fields for it.
-fn fields(question: &Question) -> Markup {
+/// How a question is answered: its type in Moodle, the text after the question (the unit of the
+/// answer, or the fields for it), and the elements with the answers that have no fields.
+fn answering(question: &Question) -> (&'static str, Markup, Markup) {
     match &question.form {
-        Form::Number { quantity, .. } => html! {
-            @if let Some(unit) = unit_in_words(quantity) { p { "Give your answer in " (unit) "." } }
-        },
+        Form::Number { quantity, truth } => {
+            let unit = html! {
+                @if let Some(unit) = unit_in_words(quantity) {
+                    p { "Give your answer in " (unit) "." }
+                }
+            };
+            ("numerical", unit, of_number(question, quantity, *truth))
+        }
+        Form::Choice { options, .. } => {
+            let choices = of_choices(question, options);
+            ("multichoice", Markup::default(), choices)
+        }
         Form::Rays { truth, target, .. } => {
             let [striker, other] = of_rays(question, truth, target);
-            html! {
+            let fields = html! {
                 p {
                     "Measure each angle from the striker's original direction; left and right are as \
                      seen along its path. If a disc stays still, enter 0."
@@ -152,13 +151,14 @@ fn fields(question: &Question) -> Markup {
                 @for (name, [angle, side]) in [("striker", striker), (target, other)] {
                     p { (capital(name)) ": " (angle) "° " (side) }
                 }
-            }
+            };
+            ("cloze", fields, Markup::default())
         }
-        Form::Shot(_) => {
-            let [size, side] = of_shot(question);
-            html! { p { "Offset of the target's centre: " (size) " mm " (side) } }
+        Form::Shot(aim) => {
+            let [size, side] = of_shot(question, aim.offset);
+            let fields = html! { p { "Offset of the target's centre: " (size) " mm " (side) } };
+            ("cloze", fields, Markup::default())
         }
-        Form::Choice { .. } => Markup::default(),
     }
 }
 
@@ -171,16 +171,18 @@ fn unit_in_words(quantity: &Measure) -> Option<&str> {
     }
 }
 
-fn of_number(question: &Question, quantity: &Measure) -> Markup {
-    let known = |said: &Response, is_right, feedback: &str| match said {
-        Response::Number(x) => {
-            KnownAnswer::number(*x, question.form.tolerance(said), is_right, feedback)
-        }
-        _ => KnownAnswer::choice("", is_right, feedback),
+fn of_number(question: &Question, quantity: &Measure, truth: f64) -> Markup {
+    let known = |x: f64, is_right, feedback: &str| {
+        KnownAnswer::number(x, quantity.tolerance(x), is_right, feedback)
     };
-    let mut answers = vec![known(&question.form.truth(), true, RIGHT)];
     let wrong = question.wrong_answers().into_iter();
-    answers.extend(wrong.map(|(said, _, says)| known(&said, false, says)));
+    let wrong = wrong.filter_map(|(said, _, says)| match said {
+        Response::Number(x) => Some(known(x, false, says)),
+        _ => None,
+    });
+    let answers = std::iter::once(known(truth, true, RIGHT))
+        .chain(wrong)
+        .collect();
     html! {
         (AnswerField(answers).elements("moodle_auto_format"))
         @if !quantity.unit().is_empty() {
@@ -202,7 +204,12 @@ fn of_choices(question: &Question, options: &[String]) -> Markup {
         let text = html! { p { (unbroken(text)) } }.into_string();
         KnownAnswer::choice(&text, is_right, if is_right { RIGHT } else { feedback })
     });
-    AnswerField(answers.collect()).elements("html")
+    html! {
+        single { "true" }
+        shuffleanswers { "false" }
+        answernumbering { "ABCD" }
+        (AnswerField(answers.collect()).elements("html"))
+    }
 }
 
 /// The sides in the list of a field.
@@ -264,28 +271,25 @@ fn sides(ray: Ray, angle: Option<f64>) -> [bool; 3] {
     [is_left || !has_side, !is_left || !has_side, false]
 }
 
-/// The size and the side of an offset.
-fn of_shot(question: &Question) -> [Markup; 2] {
-    let offset = |said: &Response| match said {
-        Response::Shot(offset) => *offset,
-        _ => 0.0,
-    };
+/// The size and the side of an offset; `right` is the right one.
+fn of_shot(question: &Question, right: f64) -> [Markup; 2] {
     let sides = |offset: f64| [offset < 0.0, offset > 0.0, false];
-    let mm = |said: &Response| {
-        let tolerance = question.form.tolerance(said);
-        [offset(said).abs(), tolerance].map(mm_from_m)
+    let mm = |offset: f64| {
+        let tolerance = question.form.tolerance(&Response::Shot(offset));
+        [offset.abs(), tolerance].map(mm_from_m)
     };
-    let right = question.form.truth();
-    let [size_mm, tolerance_mm] = mm(&right);
+    let [size_mm, tolerance_mm] = mm(right);
     let size = KnownAnswer::number(size_mm, tolerance_mm, true, RIGHT);
     let mut size = AnswerField(vec![size]);
-    let mut side = AnswerField::of_sides(&SIDES[..2], sides(offset(&right)));
+    let mut side = AnswerField::of_sides(&SIDES[..2], sides(right));
     for (said, _, says) in question.wrong_answers() {
-        if offset(&said) * offset(&right) < 0.0 {
-            side.add_to(sides(offset(&said)), says);
-        } else {
-            let [size_mm, tolerance_mm] = mm(&said);
-            size.add(size_mm, tolerance_mm, says);
+        match said {
+            Response::Shot(offset) if offset * right < 0.0 => side.add_to(sides(offset), says),
+            Response::Shot(offset) => {
+                let [size_mm, tolerance_mm] = mm(offset);
+                size.add(size_mm, tolerance_mm, says);
+            }
+            _ => {}
         }
     }
     [size.cloze("NUMERICAL"), side.cloze("MULTICHOICE")]

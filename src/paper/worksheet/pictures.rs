@@ -2,9 +2,10 @@
 
 use ratatui::layout::Rect;
 
+use super::Worksheet;
 use crate::paper::svg;
 use crate::physics::Collision;
-use crate::quiz::{Form, Illustration, Question, Round};
+use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::hit::{Overlay, Overlays, Watch, protractor_picture, scale_picture};
 use crate::widgets::question_picture;
 use crate::widgets::svg::Svg;
@@ -19,15 +20,9 @@ pub struct WorksheetPicture {
 }
 
 impl WorksheetPicture {
-    /// The picture of the question with this number, counted from 1.
-    pub(super) fn of_question(number: usize, svg: Option<Svg>) -> Option<Self> {
-        let name = format!("{QUESTION}{number:02}.svg");
-        svg.map(|svg| Self { name, svg })
-    }
-
-    /// The picture of the answer with this number.
-    pub(super) fn of_answer(number: usize, svg: Option<Svg>) -> Option<Self> {
-        let name = format!("{ANSWER}{number:02}.svg");
+    /// The picture of the [`QUESTION`] or the [`ANSWER`] with this number, counted from 1.
+    pub(super) fn new(of: &str, number: usize, svg: Option<Svg>) -> Option<Self> {
+        let name = format!("{of}{number:02}.svg");
         svg.map(|svg| Self { name, svg })
     }
 
@@ -39,19 +34,27 @@ impl WorksheetPicture {
     }
 }
 
-const QUESTION: &str = "question-";
-const ANSWER: &str = "answer-";
+/// The beginnings of the names of files.
+pub(super) const QUESTION: &str = "question-";
+pub(super) const ANSWER: &str = "answer-";
 
 /// The size, in columns and rows, of a picture that students do not draw in.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
-pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
-    let mut all = Vec::new();
-    for (number, question) in (1..).zip(round.questions()) {
-        all.extend(WorksheetPicture::of_question(number, of_question(question)));
-        all.extend(WorksheetPicture::of_answer(number, of_answer(question)));
+impl Worksheet<'_> {
+    /// All pictures in the Markdown documents.
+    pub fn pictures(&self) -> Vec<WorksheetPicture> {
+        let mut all = Vec::new();
+        for (number, question) in (1..).zip(self.round.questions()) {
+            all.extend(WorksheetPicture::new(
+                QUESTION,
+                number,
+                of_question(question),
+            ));
+            all.extend(WorksheetPicture::new(ANSWER, number, of_answer(question)));
+        }
+        all
     }
-    all
 }
 
 /// The picture of a question, without the answer. It has a protractor if the answer is two
