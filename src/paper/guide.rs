@@ -1,7 +1,7 @@
 //! The built-in guides for teachers, and their conversion from Markdown into pages for a browser.
 
 use maud::{PreEscaped, html};
-use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use super::{Paper, html_page};
 
@@ -103,10 +103,13 @@ pub(crate) static GUIDES: [Guide; 16] = [
 /// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to that guide's
 /// page in the same folder (`class.html`); any other link becomes plain text.
 pub(crate) fn guide_page(markdown: &str) -> String {
-    let events: Vec<_> = Parser::new_ext(markdown, Options::ENABLE_TABLES).collect();
+    // The first line is the title, in which code may be marked.
+    let title = markdown.lines().next().unwrap_or_default();
+    let title = title.trim_start_matches("# ").replace('`', "");
     let mut body = String::new();
     let mut is_linked = false;
-    let linked = events.iter().cloned().filter_map(|event| match event {
+    let events = Parser::new_ext(markdown, Options::ENABLE_TABLES);
+    let linked = events.filter_map(|event| match event {
         Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link) => {
             let event = page_link(event, is_linked);
             is_linked = matches!(event, Some(Event::Start(_)));
@@ -116,7 +119,7 @@ pub(crate) fn guide_page(markdown: &str) -> String {
     });
     pulldown_cmark::html::push_html(&mut body, linked);
     let sheet = html! { div.guide { (PreEscaped(body)) } };
-    html_page(&title(&events), STYLE, Paper::A4, [sheet])
+    html_page(&title, STYLE, Paper::A4, [sheet])
 }
 
 /// The start or the end of a link to another guide's page; `None` for any other link.
@@ -131,21 +134,6 @@ fn page_link(mut event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
         _ => is_linked,
     };
     is_page.then_some(event)
-}
-
-/// The text of the first top-level heading.
-fn title(events: &[Event]) -> String {
-    let is_before = |event: &&Event| match event {
-        Event::Start(Tag::Heading { level, .. }) => *level != HeadingLevel::H1,
-        _ => true,
-    };
-    let heading = { events.iter().skip_while(is_before) }
-        .take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_))));
-    let words = heading.filter_map(|event| match event {
-        Event::Text(text) | Event::Code(text) => Some(text.as_ref()),
-        _ => None,
-    });
-    words.collect()
 }
 
 #[cfg(test)]
