@@ -16,88 +16,39 @@ pub(crate) struct Guide {
     pub(crate) markdown: &'static str,
 }
 
+/// The guide in the file of this name in `docs`.
+macro_rules! guide {
+    ($name:literal, $about:literal) => {
+        Guide {
+            name: $name,
+            about: $about,
+            markdown: include_str!(concat!("../../docs/", $name, ".md")),
+        }
+    };
+}
+
 /// All guides, in the order in which a teacher needs them.
 pub(crate) static GUIDES: [Guide; 16] = [
-    Guide {
-        name: "start",
-        about: "the first ten minutes",
-        markdown: include_str!("../../docs/start.md"),
-    },
-    Guide {
-        name: "class",
-        about: "a round with a class",
-        markdown: include_str!("../../docs/class.md"),
-    },
-    Guide {
-        name: "privacy",
-        about: "what is kept, who sees it, how to delete it",
-        markdown: include_str!("../../docs/privacy.md"),
-    },
-    Guide {
-        name: "lesson-plans",
-        about: "three lessons of 45 minutes",
-        markdown: include_str!("../../docs/lesson-plans.md"),
-    },
-    Guide {
-        name: "worksheets",
-        about: "a round on paper",
-        markdown: include_str!("../../docs/worksheets.md"),
-    },
-    Guide {
-        name: "sets",
-        about: "choosing the questions",
-        markdown: include_str!("../../docs/sets.md"),
-    },
-    Guide {
-        name: "judging",
-        about: "how answers are judged",
-        markdown: include_str!("../../docs/judging.md"),
-    },
-    Guide {
-        name: "model",
-        about: "what is simulated, and what is left out",
-        markdown: include_str!("../../docs/model.md"),
-    },
-    Guide {
-        name: "measuring",
-        about: "a filmed collision, measured",
-        markdown: include_str!("../../docs/measuring.md"),
-    },
-    Guide {
-        name: "glossary",
-        about: "the terms of mechanics",
-        markdown: include_str!("../../docs/glossary.md"),
-    },
-    Guide {
-        name: "rules",
-        about: "the rules of carrom, with the numbers of the laws",
-        markdown: include_str!("../../docs/rules.md"),
-    },
+    guide!("start", "the first ten minutes"),
+    guide!("class", "a round with a class"),
+    guide!("privacy", "what is kept, who sees it, how to delete it"),
+    guide!("lesson-plans", "three lessons of 45 minutes"),
+    guide!("worksheets", "a round on paper"),
+    guide!("sets", "choosing the questions"),
+    guide!("judging", "how answers are judged"),
+    guide!("model", "what is simulated, and what is left out"),
+    guide!("measuring", "a filmed collision, measured"),
+    guide!("glossary", "the terms of mechanics"),
+    guide!("rules", "the rules of carrom, with the numbers of the laws"),
     Guide {
         name: "levels",
         about: "how to write a level",
         markdown: include_str!("../../levels/README.md"),
     },
-    Guide {
-        name: "lessons",
-        about: "how to write a chapter",
-        markdown: include_str!("../../docs/lessons.md"),
-    },
-    Guide {
-        name: "concepts",
-        about: "how to write questions in words",
-        markdown: include_str!("../../docs/concepts.md"),
-    },
-    Guide {
-        name: "solve",
-        about: "the JSON of carrom solve",
-        markdown: include_str!("../../docs/solve.md"),
-    },
-    Guide {
-        name: "accessibility",
-        about: "what is accessible, and what is not yet",
-        markdown: include_str!("../../docs/accessibility.md"),
-    },
+    guide!("lessons", "how to write a chapter"),
+    guide!("concepts", "how to write questions in words"),
+    guide!("solve", "the JSON of carrom solve"),
+    guide!("accessibility", "what is accessible, and what is not yet"),
 ];
 
 /// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to that guide's
