@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Concept;
+use super::read::WRONGS;
 use crate::files::FileError;
 
 /// Patterns across all questions are checked only if there are at least this many questions.
@@ -141,23 +142,19 @@ fn lengths(concepts: &[Concept]) -> Vec<String> {
 /// whose choices have a natural order; the choices of all other questions are shuffled.
 fn places(concepts: &[Concept]) -> Vec<String> {
     let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
-    let mut places: BTreeMap<usize, usize> = BTreeMap::new();
-    for concept in &ordered {
-        *places.entry(concept.before_right).or_default() += 1;
-    }
-    let often = places
-        .into_iter()
-        .filter(|(_, count)| ordered.len() >= ENOUGH && 2 * count > ordered.len());
-    often
-        .map(|(place, count)| {
+    let all = ordered.len();
+    let fault = |number: usize| {
+        let is_right = |it: &&&Concept| it.before_right + 1 == number;
+        let count = ordered.iter().filter(is_right).count();
+        let often = all >= ENOUGH && 2 * count > all;
+        often.then(|| {
             format!(
-                "the right choice is number {} in {count} of {} questions whose choices \
-                 have an order",
-                place + 1,
-                ordered.len()
+                "the right choice is number {number} in {count} of {all} questions whose choices \
+                 have an order"
             )
         })
-        .collect()
+    };
+    (1..=WRONGS.end() + 1).filter_map(fault).collect()
 }
 
 /// Checks whether choices are given away by a first word that occurs mostly in right choices, or by

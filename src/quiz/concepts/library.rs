@@ -27,15 +27,12 @@ impl FileLibrary for Library {
     const MOST_FILES: usize = 200;
 
     fn embedded() -> Self {
-        let (concepts, problems) = match super::embedded() {
-            Ok(concepts) => (concepts, Vec::new()),
-            Err(errors) => (Vec::new(), errors.into_iter().collect()),
-        };
-        Self {
-            concepts,
-            problems,
-            sets: Vec::new(),
+        let mut library = Self::default();
+        match super::embedded() {
+            Ok(concepts) => library.concepts = concepts,
+            Err(errors) => library.problems.extend(errors),
         }
+        library
     }
 
     fn problems_mut(&mut self) -> &mut Vec<FileError> {

@@ -80,7 +80,7 @@ pub struct Wrong {
 impl Concept {
     /// The topic of the question, such as "right angle".
     pub fn topic(&self) -> Topic {
-        Topic::of_subject(&self.subject)
+        Topic::with_id(self.subject.replace(' ', "-"))
     }
 
     /// An error in one of the question's fields, with the file and line of the question.

@@ -1,5 +1,7 @@
 //! Reads questions from the contents of a file.
 
+use std::collections::BTreeSet;
+
 use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, Fields, FileErrors, Source, all, escape_control, one_line};
@@ -17,7 +19,7 @@ const SAYS: usize = 200;
 /// The maximum number of characters in the explanation.
 const WHY: usize = 320;
 /// The permitted number of wrong choices.
-const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
+pub(super) const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
 
 /// The fields of a question.
 const ITEM: [&str; 8] = [
@@ -96,13 +98,11 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
         line: item.line(),
         before_right: before_right?,
     };
-    for (place, wrong) in concept.wrongs.iter().enumerate() {
-        let earlier = concept.wrongs.iter().take(place).map(|other| &other.choice);
-        let stands = |choice: &String| *choice == wrong.choice;
-        if stands(&concept.right) || earlier.into_iter().any(stands) {
-            let message = format!("expected different choices, found {} twice", wrong.choice);
-            return item.refuse("wrong", message);
-        }
+    let mut choices = BTreeSet::from([&concept.right]);
+    let again = concept.wrongs.iter().find(|it| !choices.insert(&it.choice));
+    if let Some(Wrong { choice, .. }) = again {
+        let message = format!("expected different choices, found {choice} twice");
+        return item.refuse("wrong", message);
     }
     Some(concept)
 }

@@ -92,11 +92,6 @@ impl Topic {
         Self(id.into())
     }
 
-    /// The topic of a question in words, given the name of the question's file.
-    pub(in crate::quiz) fn of_subject(subject: &str) -> Self {
-        Self::with_id(subject.replace(' ', "-"))
-    }
-
     /// The topics of the generated families.
     #[cfg(test)]
     pub(crate) fn all() -> impl Iterator<Item = Self> {
@@ -139,9 +134,7 @@ impl Topic {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })
     }
-}
 
-impl Topic {
     /// The page that teaches the part of this topic that a question with these figures is about.
     pub(crate) fn taught_for(&self, figures: &Figures) -> Option<Passage> {
         let case = case(figures);

@@ -300,9 +300,7 @@ impl Code {
             Err(other) => Err(other),
         }
     }
-}
 
-impl Code {
     /// The code, if its questions are the same for everyone, whatever their answers.
     ///
     /// # Errors

@@ -52,20 +52,17 @@ impl QuestionSet {
                 });
                 questions.push(chosen);
             }
-            Some(Self::new(one_line(title?), all(questions)?))
+            let (title, questions) = (one_line(title?), all(questions)?);
+            let hash = questions.iter().fold(FNV_START, |hash, it| {
+                fnv1a(hash, format!("{}\n", it.source).as_bytes())
+            });
+            Some(Self {
+                title,
+                questions,
+                // The number has to be short enough to type.
+                seed: hash & u64::from(u32::MAX),
+            })
         })
-    }
-
-    fn new(title: String, questions: Vec<ChosenQuestion>) -> Self {
-        let hash = questions.iter().fold(FNV_START, |hash, it| {
-            fnv1a(hash, format!("{}\n", it.source).as_bytes())
-        });
-        Self {
-            title,
-            questions,
-            // The number has to be short enough to type.
-            seed: hash & u64::from(u32::MAX),
-        }
     }
 }
 
