@@ -111,8 +111,7 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
         let misconception = held.misconception;
         // If this misconception was split later, newer answers can show one of the resulting
         // misconceptions instead.
-        let is_it =
-            |it: &Misconception| *it == misconception || it.in_codes() == Some(misconception);
+        let is_it = |it: &Misconception| it.is_part_of(misconception);
         let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);
         let last = clues.iter().rposition(|clue| shows(&clue))?;
         let could_show = |clue: &&Clue| clue.could_show.iter().any(is_it);

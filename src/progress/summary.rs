@@ -206,12 +206,10 @@ impl<'a> Summary<'a> {
     /// A comment on whether the answers still show the misconception that the round checks for.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
-        let is_it = |it: Misconception| {
-            // If a misconception was split later, the code for it still tests for all the resulting
-            // misconceptions.
-            it == misconception || it.in_codes() == Some(misconception)
-        };
-        let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
+        // If a misconception was split later, the code for it still tests for all the resulting
+        // misconceptions.
+        let is_shown = |it: Misconception| it.is_part_of(misconception);
+        let shown = |it: &&Attempt| it.shows().is_some_and(is_shown);
         match self.attempts.iter().filter(shown).count() {
             0 if self.right() == self.attempts.len() => {
                 format!("Settled, as far as a check can tell: {name}. It no longer shows.")

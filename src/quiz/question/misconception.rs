@@ -191,6 +191,11 @@ impl Misconception {
         }
     }
 
+    /// Whether this is `other`, or one of the misconceptions into which `other` was split later.
+    pub(crate) fn is_part_of(self, other: Self) -> bool {
+        self == other || self.in_codes() == Some(other)
+    }
+
     /// The name in files.
     pub fn id(self) -> &'static str {
         self.into()
