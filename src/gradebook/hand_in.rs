@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use indexmap::IndexSet;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -107,26 +108,16 @@ impl HandIn {
     }
 
     fn written(&self) -> HandInFile<Attempt> {
-        let mut codes: Vec<String> = Vec::new();
-        for round in self.attempts.iter().map(Attempt::round) {
-            if !codes.contains(&round) {
-                codes.push(round);
-            }
-        }
+        let codes: IndexSet<String> = self.attempts.iter().map(Attempt::round).collect();
         let points: f64 = self.attempts.iter().map(Attempt::points).sum();
+        let is_in_first = |it: &Attempt| it.is_of_quiz() || it.family == LESSON;
+        let every_carrom_reads_it = self.attempts.iter().all(is_in_first);
         HandInFile {
-            format: match self
-                .attempts
-                .iter()
-                .all(|it| it.is_of_quiz() || it.family == LESSON)
-            {
-                true => 1,
-                false => FORMAT,
-            },
+            format: if every_carrom_reads_it { 1 } else { FORMAT },
             carrom: KIND.into(),
             name: self.name.clone(),
             class: self.class.clone(),
-            codes,
+            codes: codes.into_iter().collect(),
             points: (10.0 * points).round() / 10.0,
             answers: self.attempts.clone(),
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ClassResults;
 use crate::progress::{Attempt, Tally, discrimination};
-use crate::quiz::{Code, Misconception, Round};
+use crate::quiz::{Code, Course, Misconception, Round};
 
 /// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,10 +41,8 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
         .into_iter()
         .filter_map(|((round, number), answers)| {
             let code = Code::parse(round);
-            if code
-                .as_ref()
-                .is_some_and(|code| code.course.follows_answers())
-            {
+            let course = code.as_ref().map(|it| &it.course);
+            if course.is_some_and(Course::follows_answers) {
                 return None;
             }
             let of_code = asked.entry(round).or_insert_with(|| code.map(Round::of));

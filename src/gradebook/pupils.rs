@@ -1,6 +1,6 @@
 //! The pupils who have handed in answers; each pupil and each answer occurs once.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -153,10 +153,8 @@ impl Gradebook {
     /// The classes of all pupils: "10a; 10b".
     pub fn classes(&self) -> String {
         let named = self.pupils.iter().map(|it| it.class.as_str());
-        let mut classes: Vec<&str> = named.filter(|it| !it.is_empty()).collect();
-        classes.sort_unstable();
-        classes.dedup();
-        classes.join("; ")
+        let classes: BTreeSet<&str> = named.filter(|it| !it.is_empty()).collect();
+        Vec::from_iter(classes).join("; ")
     }
 
     /// Notes which of these pupils have handed in nothing; upper and lower case and surrounding

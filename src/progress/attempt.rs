@@ -111,7 +111,10 @@ impl Attempt {
 
     /// The topic as shown: "equal masses, by offset", or the title of the chapter.
     pub(crate) fn topic_name(&self) -> String {
-        topic_name(&self.family, &self.topic)
+        match self.family.as_str() {
+            LESSON => self.topic.clone(),
+            _ => Topic::with_id(self.topic.clone()).name(),
+        }
     }
 
     /// The reason why the answer is impossible; `None` if it is a possible answer to some question.
@@ -238,14 +241,6 @@ fn lesson_answer_is_possible(answer: &Figures) -> bool {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
         (None, Some(line)) => matches!(line.as_u64(), Some(1..=MOST_LINES)),
         _ => Rays::of_figures(answer).is_some_and(|it| it.are_in_range()),
-    }
-}
-
-/// The name of a topic in the given family, as shown.
-pub(super) fn topic_name(family: &str, topic: &str) -> String {
-    match family {
-        LESSON => topic.to_owned(),
-        _ => Topic::with_id(topic.to_owned()).name(),
     }
 }
 

@@ -42,27 +42,6 @@ impl Attempt {
         let question = question_about(collision)?;
         let hit = Hit::from(collision);
         let truth = hit.truth();
-        let grade = RaysGrade::new(said, &truth);
-        let (said_and_true, error, credit, right) = match predicted.only {
-            None => (
-                [said, &truth].map(|rays| figures(rays.json())),
-                grade.error(),
-                grade.credit(),
-                grade.is_right(),
-            ),
-            Some(ray) => {
-                let error = said.apart(&truth, ray);
-                let grade = RayGrade { error };
-                let angles = [said, &truth].map(|rays| rays.get(ray));
-                (
-                    one_ray(ray, angles),
-                    error,
-                    grade.credit(),
-                    grade.is_right(),
-                )
-            }
-        };
-        let [answer, truth] = said_and_true;
         let mut attempt = Self {
             player: predicted.player.to_owned(),
             family: predicted.family.to_owned(),
@@ -70,22 +49,27 @@ impl Attempt {
             seed: predicted.seed,
             number: predicted.number,
             question: question.figures,
-            answer,
-            truth,
-            error_deg: error.map(deg_from_rad),
-            credit,
-            right,
             ..Self::default()
         };
-        if let Some(ray) = predicted.only {
-            let name = match ray {
-                Ray::Striker => "striker",
-                Ray::Target => "target",
-            };
-            attempt.question.insert("ray".into(), name.into());
-            return Some(attempt);
-        }
-        Some(attempt.with_evidence_of_rays(collision, said))
+        let Some(ray) = predicted.only else {
+            let grade = RaysGrade::new(said, &truth);
+            [attempt.answer, attempt.truth] = [said, &truth].map(|rays| figures(rays.json()));
+            attempt.error_deg = grade.error().map(deg_from_rad);
+            (attempt.credit, attempt.right) = (grade.credit(), grade.is_right());
+            return Some(attempt.with_evidence_of_rays(collision, said));
+        };
+        let error = said.apart(&truth, ray);
+        let grade = RayGrade { error };
+        let angles = [said, &truth].map(|rays| rays.get(ray));
+        [attempt.answer, attempt.truth] = one_ray(ray, angles);
+        attempt.error_deg = error.map(deg_from_rad);
+        (attempt.credit, attempt.right) = (grade.credit(), grade.is_right());
+        let name = match ray {
+            Ray::Striker => "striker",
+            Ray::Target => "target",
+        };
+        attempt.question.insert("ray".into(), name.into());
+        Some(attempt)
     }
 
     /// This attempt with the evidence for misconceptions from both predicted rays, if the quiz
