@@ -35,27 +35,24 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
     ("misconception", |it| it.misconception.as_deref().into()),
 ];
 
-/// The headings of the columns that follow the [`COLUMNS`] in a table. Their values could be worked
-/// out from the other columns, some of which contain JSON, but users should not have to do that.
-const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
+/// The columns that follow the [`COLUMNS`] in a table. Their values could be worked out from the
+/// other columns, some of which contain JSON, but users should not have to do that.
+const IN_WORDS: [(&str, ColumnValue); 4] = [
+    ("round", |it| {
+        it.question.get(ROUND).and_then(Value::as_str).into()
+    }),
+    ("points", |it| numbers::points(it.points()).into()),
+    ("answer_in_words", |it| words(&it.answer).into()),
+    ("truth_in_words", |it| words(&it.truth).into()),
+];
 
-/// The values of the columns with the headings [`IN_WORDS`].
-fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
-    let words = |said: &Figures| {
-        let each = tidied(said).into_iter().map(|(name, value)| match value {
-            Value::String(text) => text,
-            Value::Null => format!("{name} none"),
-            value => format!("{name} {value}"),
-        });
-        each.collect::<Vec<_>>().join(", ")
-    };
-    let round = attempt.question.get(ROUND).and_then(Value::as_str);
-    [
-        round.unwrap_or_default().to_owned(),
-        numbers::points(attempt.points()),
-        words(&attempt.answer),
-        words(&attempt.truth),
-    ]
+fn words(said: &Figures) -> String {
+    let each = tidied(said).into_iter().map(|(name, value)| match value {
+        Value::String(text) => text,
+        Value::Null => format!("{name} none"),
+        value => format!("{name} {value}"),
+    });
+    each.collect::<Vec<_>>().join(", ")
 }
 
 /// The attempts as a [table](csv_table), with one attempt per row.
@@ -71,13 +68,13 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         (_, number) if number.is_f64() => number.as_f64().unwrap_or_default().to_string(),
         (_, number) => number.to_string(),
     };
+    let columns = || COLUMNS.iter().chain(&IN_WORDS);
     let row = |attempt: &Attempt| {
-        let cells = COLUMNS.map(|(head, value)| cell(head, value(attempt)));
-        cells.into_iter().chain(in_words(attempt)).collect()
+        let cells = columns().map(|(head, value)| cell(head, value(attempt)));
+        cells.collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
-    let heads = COLUMNS.iter().map(|(head, _)| *head).chain(IN_WORDS);
-    csv_table(heads, &rows)
+    csv_table(columns().map(|(head, _)| *head), &rows)
 }
 
 /// An answer without rounding noise. An angle of 30° is converted to radians and back, and would
@@ -234,7 +231,8 @@ mod tests {
         });
         let text = csv(&attempts).unwrap();
         let mut table = csv::Reader::from_reader(text.as_bytes());
-        let heads: Vec<&str> = COLUMNS.iter().map(|it| it.0).chain(IN_WORDS).collect();
+        let columns = COLUMNS.iter().chain(&IN_WORDS);
+        let heads: Vec<&str> = columns.map(|it| it.0).collect();
         assert_eq!(table.headers().unwrap(), heads);
         let rows: Vec<_> = table.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), names.len());
