@@ -1,6 +1,6 @@
 //! The summary of a round.
 
-use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration, page_about};
+use super::{Attempt, ENOUGH_ANGLES, calibration, page_about};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
@@ -16,18 +16,12 @@ const ENOUGH_ANSWERS: usize = 5;
 pub struct Summary<'a> {
     /// The answers, in the order of the questions.
     pub attempts: &'a [Attempt],
-    all: Tally,
-    calibration: [Calibrated; 3],
 }
 
 impl<'a> Summary<'a> {
     /// Summarizes these answers.
     pub fn new(attempts: &'a [Attempt]) -> Self {
-        Self {
-            attempts,
-            all: Tally::of(attempts),
-            calibration: calibration(attempts),
-        }
+        Self { attempts }
     }
 
     /// The points of the round: the sum of the points of its questions, each rounded to a tenth, as
@@ -47,7 +41,7 @@ impl<'a> Summary<'a> {
 
     /// The number of right answers.
     pub fn right(&self) -> usize {
-        self.all.right
+        self.attempts.iter().filter(|it| it.right).count()
     }
 
     /// The number of right answers as text: "7 of 10 right".
@@ -92,7 +86,7 @@ impl<'a> Summary<'a> {
 
     /// A comment on how well the confidence matched the answers; empty if there are no answers.
     pub fn calibration_words(&self) -> String {
-        let [guess, think_so, sure] = self.calibration.map(|it| it.tally);
+        let [guess, think_so, sure] = calibration(self.attempts).map(|it| it.tally);
         let counted = match (sure.attempts, sure.right) {
             _ if self.attempts.is_empty() => return String::new(),
             (0, _) => "You were never sure.".into(),
