@@ -200,22 +200,17 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
             true => Family::with_id(&attempt.family),
             false => Some(Family::WhereTo),
         };
-        let family = family.ok_or_else(|| {
-            format!(
-                "its family is {}, which is unknown",
-                quoted(&attempt.family)
-            )
-        })?;
+        let id = &attempt.family;
+        let unknown = || format!("its family is {}, which is unknown", quoted(id));
+        let family = family.ok_or_else(unknown)?;
         let is_own = code.is_some_and(|code| {
             matches!(code.course.kind, CourseKind::Own(_) | CourseKind::Set(_))
         });
         // The topic of a teacher's own question is the name of its file.
         let is_free = is_own && family == Family::Concept;
         if !is_free && !is_topic_of(&attempt.topic, family, known) {
-            return Err(format!(
-                "its topic is {}, which is not in its family",
-                quoted(&attempt.topic)
-            ));
+            let topic = quoted(&attempt.topic);
+            return Err(format!("its topic is {topic}, which is not in its family"));
         }
     }
     attempt.topic = short_name(&attempt.topic, LONGEST_TOPIC);
@@ -240,12 +235,9 @@ fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
 }
 
 fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
-    let asks = || {
-        Topic::with_id(topic.to_owned())
-            .families()
-            .contains(&family)
-    };
-    *known.entry((family, topic.to_owned())).or_insert_with(asks)
+    let families = || Topic::with_id(topic.to_owned()).families();
+    let known = known.entry((family, topic.to_owned()));
+    *known.or_insert_with(|| families().contains(&family))
 }
 
 /// Shortens serde's message about a file, because it may quote the whole file.

@@ -160,17 +160,10 @@ impl Gradebook {
     /// Notes which of these pupils have handed in nothing; upper and lower case and surrounding
     /// spaces do not matter.
     pub(crate) fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
-        let known = |name: &str| {
-            let name = name.to_lowercase();
-            self.pupils
-                .iter()
-                .any(|it| it.own_name.to_lowercase() == name)
-        };
-        let names = names
-            .into_iter()
-            .map(tidy_name)
-            .filter(|name| !name.is_empty());
-        let missing: Vec<String> = names.filter(|name| !known(name)).collect();
+        let known = self.pupils.iter().map(|it| it.own_name.to_lowercase());
+        let known: HashSet<String> = known.collect();
+        let mut missing: Vec<String> = names.into_iter().map(tidy_name).collect();
+        missing.retain(|it| !it.is_empty() && !known.contains(&it.to_lowercase()));
         if !missing.is_empty() {
             let (count, names) = (counted(missing.len(), "pupil"), missing.join(", "));
             self.notes.push(format!(

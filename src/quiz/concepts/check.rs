@@ -39,11 +39,9 @@ impl Concept {
         if let Some(message) = self.stands_out() {
             found("right", message);
         }
+        let texts = [("ask", &self.ask), ("why", &self.why)].into_iter();
         let says = self.wrongs.iter().map(|wrong| ("says", &wrong.says));
-        for (field, text) in [("ask", &self.ask), ("why", &self.why)]
-            .into_iter()
-            .chain(says)
-        {
+        for (field, text) in texts.chain(says) {
             let end = text.trim_end_matches(['”', '"', '」', '»']);
             if !end.ends_with(STOPS) {
                 found(field, format!("expected whole sentences, found \"{text}\""));
@@ -64,10 +62,8 @@ impl Concept {
             }
         }
         if self.hit.is_some_and(|hit| !hit.outcome().hit()) {
-            found(
-                "hit",
-                "expected discs that collide; these miss each other".into(),
-            );
+            let message = "expected discs that collide; these miss each other";
+            found("hit", message.into());
         }
         faults
     }

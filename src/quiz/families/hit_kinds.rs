@@ -82,12 +82,8 @@ impl HitKind {
         asked: &[Hit],
         dice: &mut Dice,
     ) -> Option<Hit> {
-        let fresh: Vec<Hit> = self
-            .candidates()
-            .iter()
-            .filter(|candidate| !asked.iter().any(|old| same_hit(old, candidate)))
-            .copied()
-            .collect();
+        let mut fresh = self.candidates().to_vec();
+        fresh.retain(|candidate| !asked.iter().any(|old| same_hit(old, candidate)));
         let hit = *dice.pick(&fresh)?;
         let left = dice.coin();
         let speed = f64::from(2 + dice.below(3));

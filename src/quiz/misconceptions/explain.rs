@@ -67,10 +67,8 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
         (Form::Number { .. }, Response::Number(said))
             if form.is_right(&Response::Number(-said)) =>
         {
-            (
-                "mind the sign",
-                "The size is right, but the sign is not.".into(),
-            )
+            let says = "The size is right, but the sign is not.";
+            ("mind the sign", says.into())
         }
         _ => (
             "off",

@@ -36,10 +36,7 @@ pub struct ChaptersRead(BTreeSet<char>);
 impl ChaptersRead {
     /// The set of chapters with these ids; `None` if there are no questions about any of them.
     pub(crate) fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
-        let letter = |id| {
-            let found = LETTERS.iter().find(|(_, known)| *known == id);
-            found.map(|(letter, _)| *letter)
-        };
+        let letter = |id| LETTERS.get(Self::order_of(id)).map(|(letter, _)| *letter);
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 

@@ -15,11 +15,8 @@ pub(super) fn questions(
     families: fn(&Topic) -> Vec<Family>,
     dice: &mut Dice,
 ) -> Vec<Question> {
-    let mut left: Vec<(&Topic, Vec<Family>)> = topics
-        .iter()
-        .map(|topic| (topic, families(topic)))
-        .filter(|(_, families)| !families.is_empty())
-        .collect();
+    let all = topics.iter().map(|topic| (topic, families(topic)));
+    let mut left: Vec<_> = all.filter(|(_, all)| !all.is_empty()).collect();
     dice.shuffle(&mut left);
     let count = left.len();
     let mut questions: Vec<Question> = Vec::with_capacity(count);

@@ -65,10 +65,8 @@ impl Round {
             CourseKind::Before | CourseKind::After => {
                 let mut dice = Dice::new(salted(CourseKind::Before.id(), seed));
                 let [before, after] = forms::pairs(MIXED, count, &mut dice);
-                match course.kind {
-                    CourseKind::Before => before,
-                    _ => after,
-                }
+                let is_before = course.kind == CourseKind::Before;
+                if is_before { before } else { after }
             }
             CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
             CourseKind::Check(misconception) => showing(*misconception, count, &mut dice),
