@@ -44,16 +44,13 @@ const AREA: Rect = Rect::new(0, 0, 44, 18);
 impl Worksheet<'_> {
     /// All pictures in the Markdown documents.
     pub fn pictures(&self) -> Vec<WorksheetPicture> {
-        let mut all = Vec::new();
-        for (number, question) in (1..).zip(self.round.questions()) {
-            all.extend(WorksheetPicture::new(
-                QUESTION,
-                number,
-                of_question(question),
-            ));
-            all.extend(WorksheetPicture::new(ANSWER, number, of_answer(question)));
-        }
-        all
+        let questions = (1..).zip(self.round.questions());
+        let pictures = questions.flat_map(|(number, question)| {
+            let asked = WorksheetPicture::new(QUESTION, number, of_question(question));
+            let solved = WorksheetPicture::new(ANSWER, number, of_answer(question));
+            [asked, solved]
+        });
+        pictures.flatten().collect()
     }
 }
 
