@@ -140,8 +140,8 @@ fn places(concepts: &[Concept]) -> Vec<String> {
     let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
     let all = ordered.len();
     let fault = |number: usize| {
-        let is_right = |it: &&&Concept| it.before_right + 1 == number;
-        let count = ordered.iter().filter(is_right).count();
+        let right = ordered.iter().map(|it| it.before_right + 1);
+        let count = right.filter(|it| *it == number).count();
         let often = all >= ENOUGH && 2 * count > all;
         often.then(|| {
             format!(
