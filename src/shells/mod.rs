@@ -6,6 +6,8 @@
 //! [`FRAME`].
 
 #[cfg(not(target_family = "wasm"))]
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+#[cfg(not(target_family = "wasm"))]
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -16,6 +18,8 @@ pub mod headless;
 mod holder;
 #[cfg(not(target_family = "wasm"))]
 pub mod host;
+#[cfg(not(target_family = "wasm"))]
+mod outside;
 #[cfg(not(target_family = "wasm"))]
 mod page_file;
 pub mod plain;
@@ -36,4 +40,13 @@ pub const FRAME: Duration = Duration::from_nanos(16_666_667);
 #[cfg(not(target_family = "wasm"))]
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Waits for a message, but not longer than `patience`; `None` means for ever.
+#[cfg(not(target_family = "wasm"))]
+fn receive<T>(channel: &Receiver<T>, patience: Option<Duration>) -> Result<T, RecvTimeoutError> {
+    match patience {
+        Some(patience) => channel.recv_timeout(patience),
+        None => Ok(channel.recv()?),
+    }
 }

@@ -2,15 +2,15 @@
 
 use std::io::{self, BufRead, Write};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::reader::PlainReader;
 use super::talk::hear;
 use crate::app::App;
 use crate::messages::{Effect, Input};
-use crate::shells::client::Client;
-use crate::shells::host::{Host, HostOptions};
-use crate::shells::{AppHolder, FRAME, terminal};
+use crate::shells::host::HostOptions;
+use crate::shells::outside::Outside;
+use crate::shells::{AppHolder, FRAME, receive, terminal};
 use crate::store::Store;
 
 /// An event for the main loop.
@@ -35,16 +35,17 @@ pub fn run(
     output: &mut dyn Write,
 ) -> io::Result<()> {
     let (sender, news) = mpsc::channel();
-    let [to_host, to_client] = [sender.clone(), sender.clone()];
+    let [hosted, to_app] = [sender.clone(), sender.clone()];
     let mut reader = PlainReader::new(&mut app);
+    let outside = Outside::new(
+        host,
+        move || drop(hosted.send(Heard::Hosted)),
+        move |input| drop(to_app.send(Heard::Input(input))),
+    );
     let mut held = PlainApp {
         app,
         store,
-        host: Host::new(host, move || drop(to_host.send(Heard::Hosted))),
-        client: Client::new(move |news| {
-            drop(to_client.send(Heard::Input(Input::Joined(news))));
-        }),
-        sender: sender.clone(),
+        outside,
     };
     let (more, wanted) = mpsc::channel();
     let listen = move || listen(input, &wanted, &sender);
@@ -79,44 +80,34 @@ fn talk(
     };
     want();
     while !held.app.has_quit() {
-        let next = wait(news, held.app.wake());
+        let next = receive(news, held.app.wake().map(|wake| wake.max(FRAME)));
         held.pass(last.elapsed());
         last = Instant::now();
         let lines = match next {
-            Some(Heard::Line(line)) => {
+            Ok(Heard::Line(line)) => {
                 let lines = reader.hear(&line, held);
                 want();
                 lines
             }
-            Some(Heard::Input(input)) => {
+            Ok(Heard::Input(input)) => {
                 held.input(&input);
                 reader.news(held)
             }
-            Some(Heard::Hosted) => {
-                let news = held.host.take_news();
-                held.input(&Input::Hosted(news));
+            Ok(Heard::Hosted) => {
+                let news = held.outside.news();
+                held.input(&news);
                 reader.news(held)
             }
-            Some(Heard::Ended) => return say(output, &reader.end(held)),
-            None => reader.say_moving(held),
+            Ok(Heard::Ended) | Err(RecvTimeoutError::Disconnected) => {
+                return say(output, &reader.end(held));
+            }
+            Err(RecvTimeoutError::Timeout) => reader.say_moving(held),
         };
         if !held.app.has_quit() {
             say(output, &lines)?;
         }
     }
     Ok(())
-}
-
-/// Blocks until something happens, or until the app needs time.
-fn wait(news: &Receiver<Heard>, wake: Option<Duration>) -> Option<Heard> {
-    let Some(wake) = wake else {
-        return news.recv().ok().or(Some(Heard::Ended));
-    };
-    match news.recv_timeout(wake.max(FRAME)) {
-        Ok(news) => Some(news),
-        Err(RecvTimeoutError::Timeout) => None,
-        Err(RecvTimeoutError::Disconnected) => Some(Heard::Ended),
-    }
 }
 
 fn say(out: &mut dyn Write, lines: &[String]) -> io::Result<()> {
@@ -132,17 +123,7 @@ fn say(out: &mut dyn Write, lines: &[String]) -> io::Result<()> {
 struct PlainApp {
     app: App,
     store: Store,
-    host: Host,
-    client: Client,
-    sender: Sender<Heard>,
-}
-
-impl PlainApp {
-    /// Passes on the result of an export.
-    fn exported(&self, result: Result<String, String>) {
-        let exported = Input::Exported(result);
-        drop(self.sender.send(Heard::Input(exported)));
-    }
+    outside: Outside,
 }
 
 impl AppHolder for PlainApp {
@@ -151,19 +132,7 @@ impl AppHolder for PlainApp {
     }
 
     fn carry_out(&mut self, effect: Effect) -> Option<Input> {
-        match effect {
-            Effect::Keep(call) => {
-                let answer = self.store.answer(&call);
-                return Some(Input::Kept(Box::new(answer)));
-            }
-            Effect::Host(call) => self.host.call(&call),
-            Effect::Join(call) => self.client.call(&call),
-            Effect::Export { name, content } => self.exported(terminal::export(&name, &content)),
-            Effect::ExportPage { name, round } => {
-                let document = self.host.page_document(round.as_ref());
-                self.exported(document.and_then(|document| terminal::export(&name, document)));
-            }
-        }
-        None
+        let call = self.outside.carry_out(effect)?;
+        Some(Input::Kept(Box::new(self.store.answer(&call))))
     }
 }

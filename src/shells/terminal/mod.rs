@@ -9,7 +9,6 @@
 mod crash;
 #[cfg(unix)]
 mod decoder;
-mod export;
 mod guard;
 mod message;
 mod pace;
@@ -23,47 +22,37 @@ mod tty;
 #[cfg(unix)]
 mod version;
 
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
+use anyhow::Context;
 use crossterm::queue;
 use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Terminal, TerminalOptions, Viewport};
-use thiserror::Error;
 
 pub use crash::report_crashes;
-pub(super) use export::write as export;
 pub use surroundings::{charset, check, depth};
 
 use crate::app::App;
 use crate::messages::{Effect, Input};
-use crate::shells::AppHolder;
-use crate::shells::client::Client;
-use crate::shells::host::{Host, HostOptions};
+use crate::shells::host::HostOptions;
+use crate::shells::outside::Outside;
+use crate::shells::{AppHolder, receive};
 use crate::store::Store;
 use guard::Guard;
 use message::{Inbox, Message};
 use pace::Pace;
 use store_worker::StoreWorker;
 
-/// Why the terminal could not be used.
-#[derive(Debug, Error)]
-pub enum TerminalError {
-    /// The terminal could not be set up, or a thread could not be started.
-    #[error("cannot set up the terminal: {0}")]
-    SetUp(#[source] io::Error),
-    /// A frame could not be written to the terminal.
-    #[error("cannot write to the terminal: {0}")]
-    Write(#[source] io::Error),
-    /// Nothing more can be read from the terminal.
-    #[error("cannot read from the terminal: {0}")]
-    Read(#[source] io::Error),
-}
+// What failed, for error messages.
+const SET_UP: &str = "cannot set up the terminal";
+const WRITE: &str = "cannot write to the terminal";
+const READ: &str = "cannot read from the terminal";
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,40 +95,10 @@ pub(super) fn spawn(
 ///
 /// # Errors
 /// If the terminal cannot be used, or can no longer be used.
-pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, TerminalError> {
-    let (sender, messages) = mpsc::channel();
-    let (to_host, to_client) = (sender.clone(), sender.clone());
-    // If nobody receives the message, carrom is quitting.
-    let host = Host::new(host, move || drop(to_host.send(Message::Hosted)));
-    let client = Client::new(move |news| {
-        let _ = to_client.send(Message::Input(Input::Joined(news)));
-    });
-    let inbox = Inbox::new(sender.clone());
-    #[cfg(unix)]
-    signals::watch(inbox.clone()).map_err(TerminalError::SetUp)?;
-    let store_worker = StoreWorker::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
-    let guard = Guard::take().map_err(TerminalError::SetUp)?;
-    reader::start(inbox.clone()).map_err(TerminalError::SetUp)?;
-    // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse video too.
-    crossterm::style::force_color_output(true);
-    let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
-    let (columns, rows) = crossterm::terminal::size().map_err(TerminalError::SetUp)?;
-    let viewport = Viewport::Fixed(drawn(columns, rows));
-    let screen = Terminal::with_options(backend, TerminalOptions { viewport });
-    let screen = screen.map_err(TerminalError::SetUp)?;
-    TerminalRun {
-        app,
-        screen: ManuallyDrop::new(screen),
-        guard,
-        messages,
-        inbox,
-        sender,
-        store_worker,
-        host,
-        client,
-        pace: Pace::new(Instant::now()),
-    }
-    .play()
+pub fn run(app: App, store: Store, host: HostOptions) -> anyhow::Result<Ending> {
+    TerminalRun::set_up(app, store, host)
+        .context(SET_UP)?
+        .play()
 }
 
 /// The app, with everything that it needs to run in the terminal.
@@ -149,23 +108,55 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// The sender for the results of the store and of exports.
+    /// The sender for the results of the store.
     sender: Sender<Message>,
     store_worker: StoreWorker,
-    /// The server of a class that this carrom hosts.
-    host: Host,
-    /// The connection to a class that this carrom joins.
-    client: Client,
+    outside: Outside,
     pace: Pace,
 }
 
 impl TerminalRun {
-    fn play(mut self) -> Result<Ending, TerminalError> {
+    fn set_up(app: App, store: Store, host: HostOptions) -> io::Result<Self> {
+        let (sender, messages) = mpsc::channel();
+        let [hosted, to_app] = [sender.clone(), sender.clone()];
+        // If nobody receives the message, carrom is quitting.
+        let outside = Outside::new(
+            host,
+            move || drop(hosted.send(Message::Hosted)),
+            move |input| drop(to_app.send(Message::Input(input))),
+        );
+        let inbox = Inbox::new(sender.clone());
+        #[cfg(unix)]
+        signals::watch(inbox.clone())?;
+        let store_worker = StoreWorker::start(store, sender.clone())?;
+        let guard = Guard::take()?;
+        reader::start(inbox.clone())?;
+        // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse video
+        // too.
+        crossterm::style::force_color_output(true);
+        let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+        let (columns, rows) = crossterm::terminal::size()?;
+        let viewport = Viewport::Fixed(drawn(columns, rows));
+        let screen = Terminal::with_options(backend, TerminalOptions { viewport })?;
+        Ok(Self {
+            app,
+            screen: ManuallyDrop::new(screen),
+            guard,
+            messages,
+            inbox,
+            sender,
+            store_worker,
+            outside,
+            pace: Pace::new(Instant::now()),
+        })
+    }
+
+    fn play(mut self) -> anyhow::Result<Ending> {
         self.fit_again()?;
         loop {
             if self.guard.holds() && self.pace.is_due(Instant::now()) {
                 self.pace.drawn(Instant::now());
-                self.draw().map_err(TerminalError::Write)?;
+                self.draw().context(WRITE)?;
             }
             let mut first = self.wait()?;
             let effects = self.pace.live(&mut self.app, Instant::now());
@@ -191,34 +182,32 @@ impl TerminalRun {
 
     /// Blocks until there is something to do: a message, time to advance the app, or time for the
     /// next frame.
-    fn wait(&self) -> Result<Option<Message>, TerminalError> {
-        let gone = || TerminalError::Read(io::ErrorKind::BrokenPipe.into());
+    fn wait(&self) -> anyhow::Result<Option<Message>> {
         // While the terminal is released, nobody sees the game, so nothing moves.
         let until = (self.guard.holds())
             .then(|| self.pace.next(self.app.wake()))
             .flatten();
-        let Some(until) = until else {
-            return self.messages.recv().map(Some).map_err(|_| gone());
-        };
-        let left = until.saturating_duration_since(Instant::now());
-        match self.messages.recv_timeout(left) {
+        let left = until.map(|until| until.saturating_duration_since(Instant::now()));
+        match receive(&self.messages, left) {
             Ok(message) => Ok(Some(message)),
             Err(RecvTimeoutError::Timeout) => Ok(None),
-            Err(RecvTimeoutError::Disconnected) => Err(gone()),
+            Err(RecvTimeoutError::Disconnected) => {
+                Err(io::Error::from(ErrorKind::BrokenPipe)).context(READ)
+            }
         }
     }
 
     /// Handles a message; returns how the run ends if a signal ends it.
-    fn take(&mut self, message: Message) -> Result<Option<Ending>, TerminalError> {
+    fn take(&mut self, message: Message) -> anyhow::Result<Option<Ending>> {
         self.pace.outdated();
         match message {
             Message::Input(Input::Resize(columns, rows)) => self.fit(columns, rows)?,
             Message::Input(input) => self.input(&input),
             Message::Hosted => {
-                let news = self.host.take_news();
-                self.input(&Input::Hosted(news));
+                let news = self.outside.news();
+                self.input(&news);
             }
-            Message::Lost(error) => return Err(TerminalError::Read(error)),
+            Message::Lost(error) => return Err(error).context(READ),
             #[cfg(unix)]
             Message::Blocks(blocks) => self.app.settings_mut().known_blocks = blocks,
             #[cfg(unix)]
@@ -232,7 +221,7 @@ impl TerminalRun {
             }
             #[cfg(unix)]
             Message::Continue => {
-                self.guard.take_again().map_err(TerminalError::SetUp)?;
+                self.guard.take_again().context(SET_UP)?;
                 self.pace = Pace::new(Instant::now());
                 self.fit_again()?;
             }
@@ -240,24 +229,18 @@ impl TerminalRun {
         Ok(None)
     }
 
-    /// Passes on the result of an export.
-    fn exported(&self, result: Result<String, String>) {
-        // A send fails only when carrom is quitting anyway.
-        let _ = self.sender.send(Message::Input(Input::Exported(result)));
-    }
-
     /// Fits the picture to the terminal's current size.
-    fn fit_again(&mut self) -> Result<(), TerminalError> {
-        let size = self.screen.size().map_err(TerminalError::SetUp)?;
+    fn fit_again(&mut self) -> anyhow::Result<()> {
+        let size = self.screen.size().context(SET_UP)?;
         self.fit(size.width, size.height)
     }
 
     /// Fits the picture to a terminal of this size, so that all of it is drawn again.
-    fn fit(&mut self, columns: u16, rows: u16) -> Result<(), TerminalError> {
+    fn fit(&mut self, columns: u16, rows: u16) -> anyhow::Result<()> {
         let area = drawn(columns, rows);
         // `clear` cannot be used: it requests the cursor's position, and the reply goes to the
         // reader.
-        self.screen.resize(area).map_err(TerminalError::Write)?;
+        self.screen.resize(area).context(WRITE)?;
         self.input(&Input::Resize(area.width, area.height));
         Ok(())
     }
@@ -277,20 +260,9 @@ impl AppHolder for TerminalRun {
     }
 
     fn carry_out(&mut self, effect: Effect) -> Option<Input> {
-        match effect {
-            Effect::Keep(call) => {
-                let is_late = self.store_worker.ask(&call, &self.sender);
-                return is_late.then_some(Input::Saving(call.ticket));
-            }
-            Effect::Host(call) => self.host.call(&call),
-            Effect::Join(call) => self.client.call(&call),
-            Effect::Export { name, content } => self.exported(export(&name, &content)),
-            Effect::ExportPage { name, round } => {
-                let document = self.host.page_document(round.as_ref());
-                self.exported(document.and_then(|document| export(&name, document)));
-            }
-        }
-        None
+        let call = self.outside.carry_out(effect)?;
+        let is_late = self.store_worker.ask(&call, &self.sender);
+        is_late.then_some(Input::Saving(call.ticket))
     }
 }
 

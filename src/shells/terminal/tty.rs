@@ -12,6 +12,7 @@ use crossterm::event::Event;
 
 use super::decoder::Decoder;
 use super::spawn;
+use crate::shells::receive;
 
 /// The largest number of blocks of input that are read ahead of the decoder.
 const READ_AHEAD: usize = 16;
@@ -48,7 +49,6 @@ impl EventSource {
 
     /// Waits for the next event or reply.
     pub(super) fn next(&mut self) -> io::Result<Received> {
-        let gone = || io::Error::from(ErrorKind::BrokenPipe);
         loop {
             if let Some(version) = self.decoder.take_version() {
                 return Ok(Received::Version(version));
@@ -56,18 +56,11 @@ impl EventSource {
             if let Some(event) = self.events.pop_front() {
                 return Ok(Received::Event(event));
             }
-            let bytes = match self.decoder.patience() {
-                None => self.bytes.recv().map_err(|_| gone())?,
-                Some(patience) => match self.bytes.recv_timeout(patience) {
-                    Ok(bytes) => bytes,
-                    Err(RecvTimeoutError::Timeout) => {
-                        self.decoder.pause(&mut self.events);
-                        continue;
-                    }
-                    Err(RecvTimeoutError::Disconnected) => return Err(gone()),
-                },
-            };
-            self.decoder.feed(&bytes?, &mut self.events);
+            match receive(&self.bytes, self.decoder.patience()) {
+                Ok(bytes) => self.decoder.feed(&bytes?, &mut self.events),
+                Err(RecvTimeoutError::Timeout) => self.decoder.pause(&mut self.events),
+                Err(RecvTimeoutError::Disconnected) => return Err(ErrorKind::BrokenPipe.into()),
+            }
         }
     }
 }
