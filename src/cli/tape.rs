@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use super::{Failure, GlobalOptions};
 use crate::files::{self, Existing, Source};
 use crate::shells::Headless;
-use crate::shells::tape::{PlayError, Tape, play};
+use crate::shells::tape::{INSTRUCTIONS, PlayError, Tape, play};
 use crate::store::Store;
 
 /// Play a script without a terminal, on simulated time
@@ -27,28 +27,6 @@ pub(super) struct Args {
     #[arg(long)]
     svg: bool,
 }
-
-const INSTRUCTIONS: &str = r#"Instructions:
-  Run "quiz --seed 7"      must come first: the arguments of carrom (default: none)
-  Set Size 100x30          columns x rows (default 80x24)
-  Set Charset ascii        or unicode
-  Set Color none           or 16, 256, truecolor
-  Set Day 2026-01-05       fixes the clock at noon on this day (default: no clock)
-  Type "60"                one key per character
-  Right 5                  a key by its name, and a count: Up Down Left Right Enter
-                           Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown
-                           Home End F1 Ctrl+C
-  Click 40,12              column,row from the top left, which is 0,0
-  Drag 40,12 44,12         from, to
-  Hold 40,12 44,12         the same without releasing the button
-  Release 44,12            releases the button over this cell
-  Scroll down 3            or up; over a cell: Scroll up 1 40,12
-  Sleep 1.5s               or 200ms; simulated, so it takes no time
-  At "Ada"                 switches to the device of a pupil; At "teacher" switches back
-  Lose "Ada"               disconnects Ada's device; Reach "Ada" reconnects it
-  Screenshot impact        writes impact.txt
-  Expect "90.0"            fails unless the screen shows this
-  Refuse "NaN"             fails if the screen shows this"#;
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let file = args.file.display();

@@ -95,6 +95,16 @@ impl<'a> Arguments<'a> {
         self.rest.try_into().map_err(|_| self.not(expected))
     }
 
+    /// The value of the only argument.
+    fn one<T>(
+        &self,
+        expected: &str,
+        read: impl Fn(&Token) -> Result<T, String>,
+    ) -> Result<T, String> {
+        let [part] = self.exactly(expected)?;
+        read(part)
+    }
+
     fn not(&self, expected: &str) -> String {
         let found: Vec<_> = self.rest.iter().map(ToString::to_string).collect();
         let found = match found.as_slice() {
@@ -113,8 +123,8 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
         return Err(format!("expected an instruction, found {}", arguments.of));
     };
     let one_text = || -> Result<String, String> {
-        let [text] = arguments.exactly("a text in quotes")?;
-        let text = quoted(text, "a text in quotes")?;
+        let expected = "a text in quotes";
+        let text = arguments.one(expected, |text| quoted(text, expected))?;
         (!text.is_empty())
             .then_some(text)
             .ok_or_else(|| format!("{name}: expected a text that is not empty"))
@@ -124,10 +134,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
         "Type" => Instruction::Type(one_text()?),
         "Expect" => Instruction::Expect(one_text()?),
         "Refuse" => Instruction::Refuse(one_text()?),
-        "Click" => {
-            let [at] = arguments.exactly("a cell, such as 40,12")?;
-            Instruction::Click(cell(at)?)
-        }
+        "Click" => Instruction::Click(arguments.one("a cell, such as 40,12", cell)?),
         "Drag" => {
             let [from, to] = arguments.exactly("two cells, such as 40,12 44,12")?;
             Instruction::Drag(cell(from)?, cell(to)?)
@@ -136,25 +143,16 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
             let [from, to] = arguments.exactly("two cells, such as 40,12 44,12")?;
             Instruction::Hold(cell(from)?, cell(to)?)
         }
-        "Release" => {
-            let [at] = arguments.exactly("a cell, such as 44,12")?;
-            Instruction::Release(cell(at)?)
-        }
+        "Release" => Instruction::Release(arguments.one("a cell, such as 44,12", cell)?),
         "Scroll" => scroll(arguments)?,
-        "Sleep" => {
-            let [time] = arguments.exactly("a time, such as 1.5s or 200ms")?;
-            Instruction::Sleep(duration(time)?)
-        }
+        "Sleep" => Instruction::Sleep(arguments.one("a time, such as 1.5s or 200ms", duration)?),
         "At" => {
             let [who] = arguments.exactly("\"teacher\" or the name of a pupil in quotes")?;
             let who = quoted(who, "a name in quotes")?;
             Instruction::At((who != TEACHER).then_some(who))
         }
         "Lose" | "Reach" => Instruction::Reach(one_text()?, name == "Reach"),
-        "Screenshot" => {
-            let [name] = arguments.exactly("one name")?;
-            Instruction::Screenshot(file_name(name)?)
-        }
+        "Screenshot" => Instruction::Screenshot(arguments.one("one name", file_name)?),
         other => {
             let Some(key) = Key::named(other) else {
                 return Err(format!(
