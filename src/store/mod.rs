@@ -149,7 +149,7 @@ impl Store {
     /// The same store, except that reading changes no file, not even to repair it. This is for
     /// commands that only print.
     pub fn only_looking(mut self) -> Self {
-        self.progress.only_look();
+        self.progress.only_looks = true;
         self
     }
 
@@ -203,15 +203,15 @@ impl Store {
                 ..Self::refused(call, NOWHERE)
             };
         }
-        self.progress.on_day(self.calendar().today());
+        self.progress.today = self.calendar().today();
         StoreAnswer {
             ticket: call.ticket,
             done: reply(call, Ok(self)),
             unsaved: self.unsaved.len(),
             notice: (self.notice.take())
-                .or_else(|| self.progress.take_notice())
-                .or_else(|| self.games.take_notice())
-                .or_else(|| self.classes.take_notice()),
+                .or_else(|| self.progress.notice.take())
+                .or_else(|| self.games.notice.take())
+                .or_else(|| self.classes.notice.take()),
         }
     }
 

@@ -16,7 +16,8 @@ pub(super) struct OpenFiles<T> {
     read: ReadBytes<T>,
     /// The name and the last known text of each open item, by ticket.
     open: BTreeMap<u64, OpenFile>,
-    notice: Option<String>,
+    /// The pending notice for the player.
+    pub(super) notice: Option<String>,
 }
 
 /// A function that reads an item from a file's name and bytes.
@@ -103,11 +104,6 @@ impl<T> OpenFiles<T> {
             open.text.push_str(added);
         }
         Ok(appended)
-    }
-
-    /// The pending notice for the player; it is returned only once.
-    pub(super) fn take_notice(&mut self) -> Option<String> {
-        self.notice.take()
     }
 
     /// All items, the latest first; if a calendar is given, each with its age and the day on which

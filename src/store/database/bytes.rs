@@ -217,7 +217,7 @@ mod tests {
         for bytes in [damaged, whole[..whole.len() - 4096].to_vec()] {
             let (mut mended, was_damaged) = Database::of_bytes(&bytes, "aside").unwrap();
             assert!(was_damaged);
-            let notice = mended.take_notice().unwrap();
+            let notice = mended.notice.take().unwrap();
             assert!(notice.contains("is kept as aside"), "{notice}");
             let answers = mended.attempts(None).unwrap();
             assert!(answers.len() > 100, "{}: {notice}", answers.len());

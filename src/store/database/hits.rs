@@ -154,7 +154,7 @@ mod tests {
         database.clear_notebook("Ada").unwrap();
         assert_eq!(database.notebook("Ada").unwrap(), []);
         assert_eq!(database.notebook("Bo").unwrap().len(), 1);
-        assert_eq!(database.take_notice(), None);
+        assert_eq!(database.notice.take(), None);
     }
 
     #[test]
@@ -187,7 +187,7 @@ mod tests {
              UPDATE lab_hit SET said = '{\"theta1_deg\":1e999}' WHERE id = 3;",
         );
         assert_eq!(database.notebook("Ada").unwrap().len(), 1);
-        let notice = database.take_notice().unwrap();
+        let notice = database.notice.take().unwrap();
         assert!(notice.contains("3 hits in progress.db"), "{notice}");
         database.reported_misfits = false;
         spoil(
@@ -196,7 +196,7 @@ mod tests {
              UPDATE observation SET seen = '{\"theta1_deg\":999,\"theta2_deg\":0}' WHERE id = 2;",
         );
         assert_eq!(database.observations(None).unwrap().len(), 2);
-        let notice = database.take_notice().unwrap();
+        let notice = database.notice.take().unwrap();
         assert!(notice.contains("2 observations in progress.db"), "{notice}");
     }
 

@@ -54,15 +54,16 @@ const LOCK: &str = ".progress.lock";
 pub(super) struct Database {
     location: Location,
     /// Whether nothing may be changed, not even to repair the database.
-    only_looks: bool,
+    pub(super) only_looks: bool,
     /// The current day, if it is known.
-    today: Option<Date>,
+    pub(super) today: Option<Date>,
     /// The day on which this process last checked the database; `None` before the first check, and
     /// after damage was found.
     checked: Option<Option<Date>>,
     /// Whether the last attempt failed because the database was busy.
     was_busy: bool,
-    notice: Option<String>,
+    /// The pending notice for the player.
+    pub(super) notice: Option<String>,
     /// Whether the player has been notified of invalid rows.
     reported_misfits: bool,
 }
@@ -98,21 +99,6 @@ impl Database {
             notice: None,
             reported_misfits: false,
         }
-    }
-
-    /// Makes the database read-only from now on: nothing is changed.
-    pub(super) fn only_look(&mut self) {
-        self.only_looks = true;
-    }
-
-    /// Sets the current day.
-    pub(super) fn on_day(&mut self, today: Option<Date>) {
-        self.today = today;
-    }
-
-    /// The pending notice for the player; it is returned only once.
-    pub(super) fn take_notice(&mut self) -> Option<String> {
-        self.notice.take()
     }
 
     /// Whether there is no database yet.
@@ -153,15 +139,13 @@ impl Database {
         let patience = if self.was_busy { LITTLE } else { PATIENCE };
         let mut was_mended = false;
         loop {
-            let tried = match self.try_once(behavior, &act) {
-                Err(trouble)
-                    if trouble.is_forbidden()
-                        && matches!(behavior, TransactionBehavior::Deferred) =>
-                {
-                    self.look_only(&act, trouble)
-                }
-                tried => tried,
-            };
+            let mut tried = self.try_once(behavior, &act);
+            if matches!(&tried, Err(trouble) if trouble.is_forbidden())
+                && matches!(behavior, TransactionBehavior::Deferred)
+                && let Location::Folder(folder) = &self.location
+            {
+                tried = self.look_up_in(&folder.clone(), &act);
+            }
             self.was_busy = matches!(&tried, Err(trouble) if trouble.is_busy());
             match tried {
                 Ok(result) => return Ok(result),
@@ -240,18 +224,6 @@ impl Database {
         Ok(())
     }
 
-    /// Reads something while this `trouble` prevents writing.
-    fn look_only<T>(
-        &mut self,
-        look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
-        trouble: DatabaseError,
-    ) -> Result<T, DatabaseError> {
-        match &self.location {
-            Location::Folder(folder) => self.look_up_in(&folder.clone(), look),
-            Location::Memory(_) | Location::Newer(..) => Err(trouble),
-        }
-    }
-
     /// Reads something, and changes nothing.
     fn look_up_in<T>(
         &mut self,
@@ -264,27 +236,25 @@ impl Database {
     }
 
     fn reported(&self, trouble: &DatabaseError) -> String {
-        match &self.location {
-            Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
-            Location::Folder(folder) => {
-                let what_next = if trouble.is_strange() {
-                    ", so it is left unchanged; nothing is saved until it is moved away"
-                } else if trouble.is_damage() && self.only_looks {
-                    "; carrom repairs it when you next open the game"
-                } else {
-                    ""
-                };
-                let trouble = match trouble {
-                    DatabaseError::Sqlite(why)
-                        if trouble.may_be_full() && !self.only_looks && !has_room(folder) =>
-                    {
-                        error::no_room(why)
-                    }
-                    _ => trouble.to_string(),
-                };
-                format!("{}: {trouble}{what_next}", path(folder).display())
+        let Location::Folder(folder) = &self.location else {
+            return trouble.to_string();
+        };
+        let what_next = if trouble.is_strange() {
+            ", so it is left unchanged; nothing is saved until it is moved away"
+        } else if trouble.is_damage() && self.only_looks {
+            "; carrom repairs it when you next open the game"
+        } else {
+            ""
+        };
+        let trouble = match trouble {
+            DatabaseError::Sqlite(why)
+                if trouble.may_be_full() && !self.only_looks && !has_room(folder) =>
+            {
+                error::no_room(why)
             }
-        }
+            _ => trouble.to_string(),
+        };
+        format!("{}: {trouble}{what_next}", path(folder).display())
     }
 }
 

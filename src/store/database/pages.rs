@@ -241,13 +241,9 @@ impl Page {
         let start = start + if self.is_bottom { 0 } else { 4 };
         let (length, rest) = varint(self.bytes.get(start..)?)?;
         let length = usize::try_from(length).ok()?;
-        let (id, rest) = match self.layout {
-            PageLayout::Table => varint(rest).map(|(id, rest)| (Some(id), rest))?,
-            PageLayout::Index => (None, rest),
-        };
-        let most = match self.layout {
-            PageLayout::Table => PAGE - 35,
-            PageLayout::Index => (PAGE - 12) * 64 / 255 - 23,
+        let (id, rest, most) = match self.layout {
+            PageLayout::Table => varint(rest).map(|(id, rest)| (Some(id), rest, PAGE - 35))?,
+            PageLayout::Index => (None, rest, (PAGE - 12) * 64 / 255 - 23),
         };
         let least = (PAGE - 12) * 32 / 255 - 23;
         let on_page = if length <= most {

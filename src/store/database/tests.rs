@@ -105,7 +105,7 @@ fn stored_answers_are_read_back_bit_for_bit() {
         assert_eq!(database.attempts(Some("bare")).unwrap(), [bare]);
         assert_eq!(database.attempts(Some("nobody")).unwrap(), []);
         assert_eq!(database.attempts(None).unwrap().len(), 13);
-        assert_eq!(database.take_notice(), None);
+        assert_eq!(database.notice.take(), None);
     }
 }
 
@@ -266,8 +266,8 @@ fn mended(scratch: &Scratch, damaged: &[u8]) -> (String, usize) {
     let kept = files();
     let mut database = scratch.database();
     let answers = database.attempts(None).unwrap().len();
-    let notice = database.take_notice().unwrap();
-    assert_eq!(database.take_notice(), None, "the notice is shown once");
+    let notice = database.notice.take().unwrap();
+    assert_eq!(database.notice.take(), None, "the notice is shown once");
     assert_eq!(files(), kept + 1, "there is one more file, the damaged one");
     database.record(&attempt("Bo", 7)).unwrap();
     assert_eq!(scratch.database().attempts(Some("Bo")).unwrap().len(), 1);
@@ -361,7 +361,8 @@ fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     assert_eq!(database.attempts(Some(&long.player)).unwrap(), [long]);
     assert!(
         database
-            .take_notice()
+            .notice
+            .take()
             .unwrap()
             .contains("has been repaired")
     );
@@ -393,7 +394,8 @@ fn deleted_rows_are_not_restored_from_a_damaged_database() {
     );
     assert!(
         database
-            .take_notice()
+            .notice
+            .take()
             .unwrap()
             .contains("some of the pages read")
     );
@@ -417,7 +419,8 @@ fn a_damaged_database_behind_a_link_is_repaired_at_the_target() {
     assert!((150..200).contains(&answers), "{answers}");
     assert!(
         database
-            .take_notice()
+            .notice
+            .take()
             .unwrap()
             .contains("has been repaired")
     );
@@ -445,7 +448,7 @@ fn the_log_of_a_database_behind_a_link_is_read() {
     let held = Connection::open(&target).unwrap();
     tables::insert_attempt(&held, &attempt("Bo", 1)).unwrap();
     let mut database = scratch.database();
-    database.only_look();
+    database.only_looks = true;
     assert_eq!(database.attempts(None).unwrap().len(), 201);
 }
 
@@ -453,7 +456,7 @@ fn the_log_of_a_database_behind_a_link_is_read() {
 fn unreadable_rows_are_restored_from_the_latest_copy() {
     let (scratch, sound) = filled("filled-in");
     let mut database = scratch.database();
-    database.on_day(Some(jiff::civil::date(2026, 11, 21)));
+    database.today = Some(jiff::civil::date(2026, 11, 21));
     assert_eq!(database.attempts(None).unwrap().len(), 200);
     let mut damaged = sound.clone();
     let start = page(&sound, 13);
@@ -469,7 +472,7 @@ fn the_copies_of_the_last_three_days_are_kept() {
     let (scratch, _) = filled("days");
     let mut database = scratch.database();
     for day in [3, 4, 4, 9, 10] {
-        database.on_day(Some(jiff::civil::date(2026, 11, day)));
+        database.today = Some(jiff::civil::date(2026, 11, day));
         database.record(&attempt("Ada", 1000)).unwrap();
     }
     let copies = ["04", "09", "10"].map(|day| format!("progress-backup-2026-11-{day}.db"));
@@ -496,7 +499,7 @@ fn a_store_that_only_reads_repairs_nothing() {
     for bytes in [&damaged, &sound] {
         fs::write(scratch.path(), bytes).unwrap();
         let mut database = scratch.database();
-        database.only_look();
+        database.only_looks = true;
         match database.attempts(None) {
             Ok(found) => assert!(bytes == &sound && found.len() == 200),
             Err(reason) => assert!(bytes == &damaged && reason.contains("damaged"), "{reason}"),
@@ -582,7 +585,7 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
             scratch.database().attempts(None).map(drop),
             {
                 let mut only_looks = scratch.database();
-                only_looks.only_look();
+                only_looks.only_looks = true;
                 only_looks.attempts(None).map(drop)
             },
         ];
@@ -613,7 +616,7 @@ fn a_flipped_bit_of_the_format_number_is_repaired() {
         let mut database = scratch.database();
         let answers = database.attempts(None).map(|it| it.len());
         assert_eq!(answers, Ok(200), "{place} {bit}");
-        let notice = database.take_notice().unwrap_or_default();
+        let notice = database.notice.take().unwrap_or_default();
         let is_whole = notice.contains("Everything in it could be saved");
         assert!(is_whole, "{place} {bit}: {notice}");
         let format = schema::version_in_header(&scratch.path());
@@ -631,7 +634,7 @@ fn a_flipped_byte_of_the_schema_is_damage() {
     fs::write(scratch.path(), damaged).unwrap();
     let mut database = scratch.database();
     assert!(database.attempts(None).is_ok());
-    assert!(database.take_notice().unwrap().contains("damaged"));
+    assert!(database.notice.take().unwrap().contains("damaged"));
 }
 
 /// The tables of statistics that ANALYZE adds to the schema are ignored.
@@ -644,7 +647,7 @@ fn a_database_with_statistics_is_accepted() {
     let mut database = scratch.database();
     assert_eq!(database.attempts(None).unwrap().len(), 200);
     database.record(&attempt("Ada", 1)).unwrap();
-    assert_eq!(database.take_notice(), None);
+    assert_eq!(database.notice.take(), None);
 }
 
 #[test]
@@ -681,14 +684,12 @@ fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
     }
     for only_looks in [false, true] {
         let mut database = scratch.database();
-        if only_looks {
-            database.only_look();
-        }
+        database.only_looks = only_looks;
         assert_eq!(database.attempts(None).unwrap().len(), 193);
-        let notice = database.take_notice().unwrap();
+        let notice = database.notice.take().unwrap();
         assert!(notice.contains("7 answers"), "{notice}");
         database.attempts(None).unwrap();
-        assert_eq!(database.take_notice(), None);
+        assert_eq!(database.notice.take(), None);
     }
     let rows = strange.query_row("SELECT count(*) FROM attempt", [], |row| row.get(0));
     assert_eq!(rows, Ok(200));
@@ -731,7 +732,7 @@ fn a_newer_database_is_refused_and_left_unchanged() {
                 "{message}"
             );
         }
-        assert_eq!(database.take_notice(), None);
+        assert_eq!(database.notice.take(), None);
         assert!(files() == before, "the files were changed");
         assert_eq!(scratch.names(), names);
     }
@@ -809,7 +810,7 @@ fn a_database_of_each_older_format_opens() {
         assert_eq!(database.marks("Ada").unwrap().len(), marks.len() + 1);
         assert_eq!(database.notebook("Ada").unwrap(), []);
         assert_eq!(database.observations(None).unwrap(), []);
-        assert_eq!(database.take_notice(), None);
+        assert_eq!(database.notice.take(), None);
     }
 }
 

@@ -18,14 +18,9 @@ pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseErr
     let log = with_ending(path, "-wal");
     let connection = connection(path)?;
     let found = match schema::examine(&*connection.unchecked_transaction()?) {
-        Err(DatabaseError::Sqlite(error)) if is_in_log(&log) => {
-            let trouble = DatabaseError::Sqlite(error);
+        Err(trouble @ DatabaseError::Sqlite(_)) if !trouble.is_damage() && is_in_log(&log) => {
             let name = log.file_name().unwrap_or_default().display().to_string();
-            return Err(if trouble.is_damage() {
-                trouble
-            } else {
-                DatabaseError::InLog(name)
-            });
+            return Err(DatabaseError::InLog(name));
         }
         found => found?,
     };
