@@ -99,21 +99,6 @@ pub(super) enum Asked {
     Text(String),
 }
 
-impl Asked {
-    /// The question at the end of the output.
-    pub(super) fn question(&self, has_choice: bool) -> String {
-        let asked = match self {
-            Self::Nothing if has_choice => "Which one?".into(),
-            Self::Nothing => "What next?".into(),
-            Self::Number(name, unit) if unit.is_empty() => format!("{name}?"),
-            Self::Number(name, unit) => format!("{name} in {}?", unit_name(unit)),
-            Self::Angle(name) => format!("{name}, in degrees?"),
-            Self::Text(name) => format!("{name}?"),
-        };
-        capital(&read(&asked))
-    }
-}
-
 impl PlainPage {
     /// The page of an app, from the recorded sheets.
     pub(super) fn new(app: &App, sheets: &[Sheet]) -> Self {
@@ -145,9 +130,8 @@ impl PlainPage {
         // Where Enter continues to the next question, the next line typed may already answer that
         // question. That line could be taken for a label, so nothing gets a label.
         if !rows.iter().any(|row| row.id == ON) {
-            let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
-            let are_set = options.iter().any(is_set);
-            label(&mut options, types || are_set);
+            let has_values = options.iter().any(PlainOption::has_value);
+            label(&mut options, types || has_values);
         }
         page.sections = sections(sheet, &options, rows);
         page.options = options;
@@ -175,9 +159,18 @@ impl PlainPage {
     /// The question at the end of the page.
     pub(super) fn question(&self) -> String {
         let is_entry = |it: &PlainOption| it.kind == OptionKind::Entry;
-        let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
-        let has_choice = self.options.iter().any(is_entry) && !self.options.iter().any(is_set);
-        self.asked.question(has_choice)
+        let has_choice =
+            self.options.iter().any(is_entry) && !self.options.iter().any(PlainOption::has_value);
+        let asked = match &self.asked {
+            Asked::Nothing if has_choice => "Which one?".into(),
+            Asked::Nothing => "What next?".into(),
+            Asked::Number(name, unit) if !unit.is_empty() => {
+                format!("{name} in {}?", unit_name(unit))
+            }
+            Asked::Angle(name) => format!("{name}, in degrees?"),
+            Asked::Number(name, _) | Asked::Text(name) => format!("{name}?"),
+        };
+        capital(&read(&asked))
     }
 }
 
@@ -196,21 +189,13 @@ impl PlainOption {
                 (words.clone(), OptionKind::Deed, key)
             }
             Words::Field { name, value, .. } => {
-                let name = name.trim_end_matches('=').trim().to_owned();
-                (name, OptionKind::Field(value.clone()), None)
+                (field_name(name), OptionKind::Field(value.clone()), None)
             }
             Words::TextField { name, value } => {
                 (name.clone(), OptionKind::Text(value.clone()), None)
             }
-            Words::Tab { name } => entry(name.clone()),
             Words::Text { mark, runs } => entry(format!("{mark} {}", joined(runs))),
-            Words::Large { runs } => entry(joined(runs)),
-            Words::Pair { name, value } => entry(listed(&name.text, [value.text.as_str()])),
-            Words::Columns { name, values } => {
-                let values = values.iter().map(|it| it.text.as_str());
-                entry(listed(&name.text, values))
-            }
-            _ => return None,
+            words => entry(same_text(words)?),
         };
         let is_deed = kind == OptionKind::Deed;
         if item.press.is_none() && !(is_deed && key.is_some()) {
@@ -231,9 +216,13 @@ impl PlainOption {
         })
     }
 
-    /// Whether the option has a value that can be set.
+    /// Whether the option has a value or a text that can be set.
     pub(super) fn is_field(&self) -> bool {
-        matches!(self.kind, OptionKind::Field(_) | OptionKind::Text(_))
+        self.has_value() || matches!(self.kind, OptionKind::Text(_))
+    }
+
+    fn has_value(&self) -> bool {
+        matches!(self.kind, OptionKind::Field(_))
     }
 
     /// The line that describes it.
@@ -339,7 +328,7 @@ fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
         match &item.words {
             Words::TextField { name, .. } => return Asked::Text(name.clone()),
             Words::Field { name, value, .. } if types => {
-                let name = name.trim_end_matches('=').trim().to_owned();
+                let name = field_name(name);
                 return match rows.iter().any(|row| row.id == "ray.turn") {
                     true => Asked::Angle(name),
                     false => Asked::Number(name, unit(value)),
@@ -379,23 +368,28 @@ fn value_words(value: &str) -> String {
 fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<PlainSection> {
     let mut left = options.iter().filter(|it| it.kind != OptionKind::Deed);
     let section = |section: &Section| {
-        let mut heads: Option<&Item> = None;
+        // The header row of the current table.
+        let mut heads = None;
         let mut lines = Vec::new();
         let mut subject = None;
         for item in &section.items {
             let is_option =
                 PlainOption::of(item, rows).is_some_and(|it| it.kind != OptionKind::Deed);
             let option = if is_option { left.next() } else { None };
-            let line = match (&item.words, option) {
-                (Words::Prompt { .. }, _) => None,
-                (Words::Columns { .. }, option) => Some(row(heads, item, option)),
-                (_, Some(option)) => Some(option.line()),
-                (words, None) => text(words, sheet.kind == SheetKind::Help),
-            };
-            heads = match &item.words {
-                Words::Columns { .. } => heads.or_else(|| is_head(item).then_some(item)),
+            let columns = match &item.words {
+                Words::Columns { name, values } => Some((name, values.as_slice())),
                 _ => None,
             };
+            let is_dim = |(_, values): &Columns| values.iter().all(|it| it.role == Role::Dim);
+            let new_heads =
+                columns.filter(|it| heads.is_none() && item.press.is_none() && is_dim(it));
+            let line = match (columns, option) {
+                _ if new_heads.is_some() || matches!(item.words, Words::Prompt { .. }) => None,
+                (Some(columns), option) => Some(row(heads, columns, option)),
+                (None, Some(option)) => Some(option.line()),
+                (None, None) => text(&item.words, sheet.kind == SheetKind::Help),
+            };
+            heads = columns.and(heads.or(new_heads));
             let Some(line) = line.filter(|line| !line.is_empty()) else {
                 continue;
             };
@@ -413,26 +407,13 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
     sheet.sections.iter().map(section).collect()
 }
 
-/// Whether the row is the header row of a table.
-fn is_head(item: &Item) -> bool {
-    match &item.words {
-        Words::Columns { values, .. } => {
-            item.press.is_none() && values.iter().all(|it| it.role == Role::Dim)
-        }
-        _ => false,
-    }
-}
+/// A row of a table: its name and its values.
+type Columns<'i> = (&'i Run, &'i [Run]);
 
 /// A row of a table, with each value after the heading of its column.
-fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> String {
-    let Words::Columns { name, values } = &item.words else {
-        return String::new();
-    };
-    let (head_name, heads) = match heads.map(|it| &it.words) {
-        Some(Words::Columns { name, values }) => (name.text.as_str(), values.as_slice()),
-        _ if is_head(item) => return String::new(),
-        _ => ("", [].as_slice()),
-    };
+fn row(heads: Option<Columns>, (name, values): Columns, option: Option<&PlainOption>) -> String {
+    let (head_name, heads) =
+        heads.map_or(("", [].as_slice()), |(name, heads)| (&*name.text, heads));
     let values = values.iter().enumerate().map(|(at, value)| {
         let head = heads.get(at).map_or("", |head| head.text.trim());
         format!("{head} {}", value.text.trim())
@@ -448,6 +429,22 @@ fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> Strin
     format!("{label}{}", read(&row))
 }
 
+/// The name of a field.
+fn field_name(name: &str) -> String {
+    name.trim_end_matches('=').trim().to_owned()
+}
+
+/// The text of an item if it is the same whether the item can be chosen or not.
+fn same_text(words: &Words) -> Option<String> {
+    Some(match words {
+        Words::Tab { name } => name.clone(),
+        Words::Large { runs } => joined(runs),
+        Words::Pair { name, value } => listed(&name.text, [&*value.text]),
+        Words::Columns { name, values } => listed(&name.text, values.iter().map(|it| &*it.text)),
+        _ => return None,
+    })
+}
+
 fn shown(words: &Words) -> Vec<String> {
     match words {
         Words::Picture { shows, .. } => shows.iter().map(|it| read(it)).collect(),
@@ -458,7 +455,6 @@ fn shown(words: &Words) -> Vec<String> {
 /// The text of something that cannot be chosen; `None` if it is left out.
 fn text(words: &Words, is_help: bool) -> Option<String> {
     Some(match words {
-        Words::Gap | Words::Prompt { .. } => return None,
         Words::Picture { .. } => shown(words).join("\n"),
         Words::Text { runs, .. } if runs.iter().all(|run| run.role == Role::Key) => return None,
         Words::Text { mark, .. } if is_help && !mark.is_empty() => return None,
@@ -478,17 +474,13 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
             read(&text)
         }
         Words::Equation { runs } => read(&format!("Formula: {}", joined(runs))),
-        Words::Pair { name, value } => read(&listed(&name.text, [value.text.as_str()])),
-        Words::Columns { .. } => return None,
         Words::Field { name, value, .. } => {
-            let name = name.trim_end_matches('=').trim();
-            read(&format!("{name}: {}", value_words(value)))
+            read(&format!("{}: {}", field_name(name), value_words(value)))
         }
         Words::TextField { name, value } => read(&listed(name, [value.as_str()])),
         Words::Code(share) => format!("{}: {}", read(&share.text), share.command),
-        Words::Tab { name } => read(name),
         Words::Meter { name, value, .. } => read(&listed(name, [value.as_str()])),
-        Words::Large { runs } => read(&joined(runs)),
+        words => read(&same_text(words)?),
     })
 }
 

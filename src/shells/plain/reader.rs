@@ -66,6 +66,11 @@ const NOT_SAVED: &str = "not saved";
 /// The immediate reply to a line, or a line that explains what was expected.
 type LineAnswer = Result<Vec<String>, String>;
 
+/// Whether the current keys include an action with this id.
+fn has_row(app: &App, id: &str) -> bool {
+    app.keys().rows().iter().any(|row| row.id == id)
+}
+
 fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
     holder.input(&key.into());
     Ok(Vec::new())
@@ -122,7 +127,7 @@ impl PlainReader {
 
     /// The last output after the end of the input, if the only remaining step is to continue.
     pub fn end(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
-        if !self.goes_on(holder.app()) {
+        if !has_row(holder.app(), ON) {
             return Vec::new();
         }
         holder.input(&Key::Enter.into());
@@ -182,7 +187,7 @@ impl PlainReader {
         }
         match &self.page.asked {
             Asked::Number(..) | Asked::Angle(_) => self.type_number(line, holder),
-            _ if self.goes_on(holder.app()) => {
+            _ if has_row(holder.app(), ON) => {
                 // The line already answers the next question.
                 holder.input(&Key::Enter.into());
                 let mut lines = self.settle(holder);
@@ -195,11 +200,6 @@ impl PlainReader {
 
     fn is_text(&self) -> bool {
         matches!(self.page.asked, Asked::Text(_))
-    }
-
-    /// Whether Enter continues to the next question.
-    fn goes_on(&self, app: &App) -> bool {
-        app.keys().rows().iter().any(|row| row.id == ON)
     }
 
     /// The option with this label; an answer with a letter can also be chosen by its number.
@@ -451,9 +451,8 @@ impl PlainReader {
     /// page.
     fn settle(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         // A collision is described at its end, after the explanation at the contact.
-        let ends = |app: &App| app.keys().rows().iter().any(|row| row.id == "hit.end");
         for _ in 0..2 {
-            if holder.app().motion().is_some() && ends(holder.app()) {
+            if holder.app().motion().is_some() && has_row(holder.app(), "hit.end") {
                 holder.input(&Key::End.into());
                 holder.input(&Key::End.into());
             }
