@@ -286,14 +286,10 @@ impl OpenCommand {
     fn route(&self, data: &Data, options: &GlobalOptions) -> Result<Route, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
-            Self::Lab { set: None, .. } => Route::Lab,
-            Self::Lab {
-                set: Some(setup),
-                hide,
-            } => Route::LabOf {
-                setup: *setup,
+            Self::Lab { set, hide } => set.map_or(Route::Lab, |setup| Route::LabOf {
+                setup,
                 hidden: *hide,
-            },
+            }),
             Self::Quiz { code, .. } => {
                 // If only a seed is given, the round has ten hits.
                 let code = filled(code.as_ref(), &data.own)?;
@@ -394,10 +390,10 @@ impl Cli {
             Some(Command::Worksheet(args)) => (&args.code, &args.set),
             _ => (&None, &None),
         };
-        let has_plain_lines = match &self.command {
-            None | Some(Command::Open(_) | Command::Solve(_)) => true,
-            Some(_) => false,
-        };
+        let has_plain_lines = matches!(
+            &self.command,
+            None | Some(Command::Open(_) | Command::Solve(_))
+        );
         if self.plain && !has_plain_lines {
             return Err(
                 "--plain works only with a screen, such as carrom quiz --plain, and with \
@@ -425,10 +421,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             // Help goes to standard output, errors to standard error. If neither can be
             // written, there is no way to report that.
             let _ = say(&message);
-            return Ok(match message.exit_code() {
-                0 => ExitCode::SUCCESS,
-                _ => ExitCode::from(2),
-            });
+            return Ok(ExitCode::from(if message.use_stderr() { 2 } else { 0 }));
         }
     };
     cli.check().map_err(Failure::input)?;

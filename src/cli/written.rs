@@ -1,6 +1,5 @@
 //! Writes the files of a command.
 
-use std::ffi::OsStr;
 use std::path::PathBuf;
 
 use anyhow::anyhow;
@@ -63,18 +62,16 @@ pub(super) struct NamedFile {
 }
 
 /// Reads a file name that ends in one of two extensions.
-pub(super) fn named_file(path: &str, endings: [&str; 2]) -> Result<NamedFile, String> {
+pub(super) fn named_file(path: &str, [first, second]: [&str; 2]) -> Result<NamedFile, String> {
     let path = PathBuf::from(path);
-    let ending = path.extension().and_then(OsStr::to_str);
-    let ending = ending.map(str::to_lowercase);
-    let place = endings.iter().position(|it| ending.as_deref() == Some(it));
-    let [first, second] = endings;
-    match place {
-        Some(place) => Ok(NamedFile {
-            path,
-            is_second: place == 1,
-        }),
-        None => Err(format!(
+    let ends_in = |ending| {
+        path.extension()
+            .is_some_and(|it| it.eq_ignore_ascii_case(ending))
+    };
+    let is_second = ends_in(second);
+    match is_second || ends_in(first) {
+        true => Ok(NamedFile { path, is_second }),
+        false => Err(format!(
             "expected a file name that ends in .{first} or .{second}"
         )),
     }
