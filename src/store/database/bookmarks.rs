@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use rusqlite::{Row, Transaction, params};
 
 use super::Database;
+use super::tables::{LossyText, readable};
 use crate::lessons::{Bookmark, Forget, GivenAnswer, given_json, tries_of_json};
 
 const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
@@ -74,19 +75,11 @@ impl Database {
         player: &str,
     ) -> Result<BTreeMap<String, Bookmark>, String> {
         self.look_up(|transaction| {
-            let mut marks = BTreeMap::<String, Bookmark>::new();
-            let mut places = transaction.prepare(PLACES)?;
-            let mut rows = places.query([player])?;
-            while let Some(row) = rows.next()? {
-                let mark = marks.entry(row.get("chapter")?).or_default();
-                mark.place = row.get("page")?;
-                mark.alpha_deg = row.get("alpha_deg")?;
-            }
-            let mut pages = transaction.prepare(PAGES)?;
-            let mut rows = pages.query([player])?;
-            while let Some(row) = rows.next()? {
-                let mark = marks.entry(row.get("chapter")?).or_default();
-                mark.pages.insert(row.get("page")?, given(row)?);
+            let (places, _) = readable(transaction, PLACES, [player], place)?;
+            let mut marks: BTreeMap<_, Bookmark> = places.into_iter().collect();
+            for (chapter, page, given) in readable(transaction, PAGES, [player], page)?.0 {
+                let mark = marks.entry(chapter).or_default();
+                mark.pages.insert(page, given);
             }
             Ok(marks)
         })
@@ -107,15 +100,31 @@ fn forget_all(
     Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
+/// A chapter and where its bookmark is.
+fn place(row: &Row) -> rusqlite::Result<Option<(String, Bookmark)>> {
+    let mark = Bookmark {
+        place: row.get("page")?,
+        alpha_deg: row.get("alpha_deg")?,
+        ..Bookmark::default()
+    };
+    Ok(Some((row.get("chapter")?, mark)))
+}
+
+/// A page that was seen: its chapter, its title and the answer given on it.
+fn page(row: &Row) -> rusqlite::Result<Option<(String, String, Option<GivenAnswer>)>> {
+    Ok(Some((row.get("chapter")?, row.get("page")?, given(row)?)))
+}
+
 /// The answer in a row; `None` if there is none or it cannot be read.
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
-    let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
+    let asked: Option<LossyText> = row.get("asked")?;
+    let answer: Option<LossyText> = row.get("answer")?;
     let right: Option<bool> = row.get("is_right")?;
-    let tries = answer.and_then(|text| tries_of_json(&serde_json::from_str(&text).ok()?));
+    let tries = answer.and_then(|text| tries_of_json(&serde_json::from_str(&text.0).ok()?));
     let given = asked
         .zip(tries)
         .map(|(asked, (answer, first))| GivenAnswer {
-            asked,
+            asked: asked.0,
             answer,
             right: right.unwrap_or_default(),
             first,

@@ -129,7 +129,7 @@ pub(super) fn attempts(
 
 /// The rows of a query that can be read, and the number of the others. `read` returns `None` for a
 /// row that carrom cannot have written.
-fn readable<T>(
+pub(super) fn readable<T>(
     connection: &Connection,
     sql: &str,
     params: impl Params,
@@ -151,10 +151,13 @@ fn readable<T>(
 /// Whether a row cannot be read because carrom cannot have written it. One damaged row must not
 /// hide the others.
 fn is_nonsense(error: &rusqlite::Error) -> bool {
-    use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
+    use rusqlite::Error as E;
     matches!(
         error,
-        FromSqlConversionFailure(..) | IntegralValueOutOfRange(..) | InvalidColumnType(..)
+        E::FromSqlConversionFailure(..)
+            | E::IntegralValueOutOfRange(..)
+            | E::InvalidColumnType(..)
+            | E::Utf8Error(..)
     )
 }
 

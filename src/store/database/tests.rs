@@ -232,6 +232,27 @@ fn an_invalid_answer_in_a_bookmark_is_ignored() {
 }
 
 #[test]
+fn a_row_with_damaged_text_does_not_hide_the_others() {
+    let mut database = Database::in_memory();
+    for name in ["a", "b"] {
+        database.star("Ada", &starred(name, 1)).unwrap();
+        database.mark("Ada", name, &seen("One")).unwrap();
+    }
+    database.star("Bo", &starred("a", 1)).unwrap();
+    let damage = "
+        UPDATE star SET level = CAST(x'ff' AS TEXT) WHERE player = 'Ada' AND level = 'a';
+        UPDATE star SET player = CAST(x'ff' AS TEXT) WHERE player = 'Bo';
+        UPDATE bookmark SET chapter = CAST(x'ff' AS TEXT) WHERE chapter = 'a';
+        UPDATE page_seen SET chapter = CAST(x'ff' AS TEXT) WHERE chapter = 'a';";
+    let damaged = database.change(|transaction| transaction.execute_batch(damage));
+    damaged.unwrap();
+    assert_eq!(database.stars("Ada").unwrap(), [starred("b", 1)]);
+    let marks = database.marks("Ada").unwrap();
+    assert_eq!(marks, BTreeMap::from([("b".into(), seen("One"))]));
+    assert_eq!(database.players().unwrap(), [("Ada".into(), None)]);
+}
+
+#[test]
 fn reading_creates_no_file() {
     let scratch = Scratch::new("looking");
     let mut database = scratch.database();
