@@ -71,8 +71,8 @@ fn has_row(app: &App, id: &str) -> bool {
     app.keys().rows().iter().any(|row| row.id == id)
 }
 
-fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
-    holder.input(&key.into());
+fn press(keys: impl IntoIterator<Item = Key>, holder: &mut dyn AppHolder) -> LineAnswer {
+    keys.into_iter().for_each(|key| holder.input(&key.into()));
     Ok(Vec::new())
 }
 
@@ -154,15 +154,14 @@ impl PlainReader {
         match lower.as_str() {
             // A single letter may be the text that was asked for, such as a name.
             "q" | "h" | "r" if is_text => {}
-            "quit" | "exit" | "q" => return press(Key::Ctrl('c'), holder),
+            "quit" | "exit" | "q" => return press([Key::Ctrl('c')], holder),
             "help" | "h" | "?" => return Ok(self.help(holder)),
             "glossary" | "rules" if !is_text && self.page.layer.is_none() => {
-                holder.input(&Key::Char('?').into());
-                let initial = lower.chars().next().unwrap_or_default();
-                return press(Key::Char(initial), holder);
+                let initial = lower.chars().next().map(Key::Char);
+                return press([Key::Char('?')].into_iter().chain(initial), holder);
             }
             "repeat" | "r" => return Ok(changes(&PlainPage::default(), &self.page, &[])),
-            "" | "shoot" => return press(Key::Enter, holder),
+            "" | "shoot" => return press([Key::Enter], holder),
             _ => {}
         }
         if let Some((name, value)) = assignment(line)
@@ -183,7 +182,7 @@ impl PlainReader {
             return self.choose(&option, holder);
         }
         if let Some(key) = self.moved(&lower, holder.app()) {
-            return press(key, holder);
+            return press([key], holder);
         }
         match &self.page.asked {
             Asked::Number(..) | Asked::Angle(_) => self.type_number(line, holder),
@@ -338,10 +337,10 @@ impl PlainReader {
             Asked::Number(_, unit) => number(line, unit, LEAST, MOST)?,
             _ => return Err(self.expected()),
         };
-        for digit in digits(value).chars() {
-            holder.input(&Key::Char(digit).into());
-        }
-        holder.input(&Key::Enter.into());
+        press(
+            digits(value).chars().map(Key::Char).chain([Key::Enter]),
+            holder,
+        )?;
         self.enter(holder, &["dial.enter", "answer.enter"]);
         Ok(Vec::new())
     }
@@ -353,15 +352,10 @@ impl PlainReader {
             _ => None,
         });
         if let Some(before) = before {
-            holder.input(&Key::End.into());
-            for _ in before.chars() {
-                holder.input(&Key::Backspace.into());
-            }
+            let erase = before.chars().map(|_| Key::Backspace);
+            press([Key::End].into_iter().chain(erase), holder)?;
         }
-        for letter in line.chars() {
-            holder.input(&Key::Char(letter).into());
-        }
-        press(Key::Enter, holder)
+        press(line.chars().map(Key::Char).chain([Key::Enter]), holder)
     }
 
     fn field(&self, name: &str) -> Option<PlainOption> {

@@ -24,7 +24,7 @@ mod version;
 
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 use std::mem::ManuallyDrop;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -108,8 +108,6 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// The sender for the results of the store.
-    sender: Sender<Message>,
     store_worker: StoreWorker,
     outside: Outside,
     pace: Pace,
@@ -128,7 +126,7 @@ impl TerminalRun {
         let inbox = Inbox::new(sender.clone());
         #[cfg(unix)]
         signals::watch(inbox.clone())?;
-        let store_worker = StoreWorker::start(store, sender.clone())?;
+        let store_worker = StoreWorker::start(store, sender)?;
         let guard = Guard::take()?;
         reader::start(inbox.clone())?;
         // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse video
@@ -144,7 +142,6 @@ impl TerminalRun {
             guard,
             messages,
             inbox,
-            sender,
             store_worker,
             outside,
             pace: Pace::new(Instant::now()),
@@ -261,8 +258,9 @@ impl AppHolder for TerminalRun {
 
     fn carry_out(&mut self, effect: Effect) -> Option<Input> {
         let call = self.outside.carry_out(effect)?;
-        let is_late = self.store_worker.ask(&call, &self.sender);
-        is_late.then_some(Input::Saving(call.ticket))
+        let ticket = call.ticket;
+        let is_late = self.store_worker.ask(call);
+        is_late.then_some(Input::Saving(ticket))
     }
 }
 

@@ -21,6 +21,8 @@ const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
 /// A thread that carries out requests to the store, one after the other.
 pub(super) struct StoreWorker {
+    /// Receives the results.
+    sender: Sender<Message>,
     /// `None` once there will be no more requests.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
@@ -38,9 +40,10 @@ impl StoreWorker {
     /// Starts the thread, which sends the result of each request.
     pub(super) fn start(mut store: Store, sender: Sender<Message>) -> io::Result<Self> {
         let (jobs, asked) = mpsc::channel::<Job>();
+        let to_app = sender.clone();
         let keep = move || {
             for job in asked {
-                send(store.answer(&job.request), &sender);
+                send(store.answer(&job.request), &to_app);
                 // The caller may have stopped waiting.
                 let _ = job.done.send(());
             }
@@ -49,6 +52,7 @@ impl StoreWorker {
             }
         };
         Ok(Self {
+            sender,
             jobs: Some(jobs),
             thread: Some(spawn("store", keep)?),
             late: None,
@@ -57,23 +61,25 @@ impl StoreWorker {
 
     /// Passes a request to the thread. Returns `true` if the request takes so long that the screen
     /// should report the delay. The result always arrives as an input.
-    pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
-        let (done, wait) = mpsc::channel();
-        let job = Job {
-            request: request.clone(),
-            done,
-        };
-        let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
-        if !matches!(asked, Some(Ok(()))) {
-            // The thread has panicked; its report is in crash.log.
-            send(Store::refused(request, "the store has stopped"), sender);
-            return false;
-        }
+    pub(super) fn ask(&mut self, request: StoreCall) -> bool {
         let patience = match request.request {
             StoreRequest::Save(_) => PATIENCE,
             StoreRequest::Note(PlayerAction::Record(_)) => ANSWER_PATIENCE,
-            _ => return false,
+            _ => Duration::ZERO,
         };
+        let Some(jobs) = &self.jobs else {
+            return false;
+        };
+        let (done, wait) = mpsc::channel();
+        if let Err(mpsc::SendError(job)) = jobs.send(Job { request, done }) {
+            // The thread has panicked; its report is in crash.log.
+            let refused = Store::refused(&job.request, "the store has stopped");
+            send(refused, &self.sender);
+            return false;
+        }
+        if patience.is_zero() {
+            return false;
+        }
         // A save is overdue; do not block again.
         if let Some(late) = &self.late
             && late.try_recv() == Err(TryRecvError::Empty)
@@ -135,8 +141,7 @@ mod tests {
         let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));
         let _ = fs::remove_dir_all(&folder);
         let (sender, messages) = mpsc::channel();
-        let mut store_worker =
-            StoreWorker::start(Store::in_folder(&folder), sender.clone()).unwrap();
+        let mut store_worker = StoreWorker::start(Store::in_folder(&folder), sender).unwrap();
         let starred = Starred {
             pack: "first".into(),
             level: "one".into(),
@@ -163,7 +168,7 @@ mod tests {
             request: StoreRequest::Note(PlayerAction::Star("Ada".into(), starred.clone())),
         };
         assert!(
-            !store_worker.ask(&star(1), &sender),
+            !store_worker.ask(star(1)),
             "a star does not keep the screen waiting"
         );
         messages.recv().unwrap();
@@ -173,9 +178,9 @@ mod tests {
             ticket,
             request: StoreRequest::Note(PlayerAction::Record(Box::new(attempt.clone()))),
         };
-        assert!(store_worker.ask(&record(2), &sender), "it is being saved");
+        assert!(store_worker.ask(record(2)), "it is being saved");
         let start = Instant::now();
-        assert!(store_worker.ask(&record(3), &sender));
+        assert!(store_worker.ask(record(3)));
         assert!(
             start.elapsed() < ANSWER_PATIENCE,
             "the second save waited too"
