@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Failure, GlobalOptions, written};
 use crate::files::{self, FileError};
+use crate::levels::pack_order;
 use crate::quiz::Code;
 use crate::shells::{OwnFile, PageFile};
 
@@ -72,7 +73,8 @@ pub(super) fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, String>
 fn add_all([levels, lessons, concepts]: [&[PathBuf]; 3]) -> Result<Vec<OwnFile>, FileError> {
     let mut own = Vec::new();
     for folder in levels {
-        let packs = add(&mut own, folder, "toml", &pack(folder))?;
+        let mut packs = add(&mut own, folder, "toml", &pack(folder))?;
+        packs.sort_by_key(|inner| pack_order(inner));
         for inner in packs {
             add(&mut own, &inner, "toml", &pack(&inner))?;
         }

@@ -46,7 +46,7 @@ impl LevelLibrary {
     }
 
     /// Adds the level in a file to a pack, given the bytes of the file.
-    pub fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
+    fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
         let known = self.packs.iter_mut().find(|known| known.name == pack);
         let others = known.as_ref().map_or(&[][..], |pack| &pack.levels);
         match (Level::read_beside(file, bytes, others), known) {
@@ -100,7 +100,7 @@ impl FileLibrary for LevelLibrary {
 
 /// The position and the name of a folder's pack: `2-right-angle` is the pack "right-angle" at
 /// position 2. Folders without a number come first.
-fn order(dir: &Path) -> (u32, String) {
+pub(crate) fn order(dir: &Path) -> (u32, String) {
     let name = dir
         .file_name()
         .map(|name| name.to_string_lossy().into_owned());

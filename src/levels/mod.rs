@@ -29,7 +29,7 @@ pub use judge::{Finding, judge};
 pub(crate) use kind::DiscKind;
 pub use level::Level;
 pub use library::LevelLibrary;
-pub(crate) use library::Pack;
+pub(crate) use library::{Pack, order as pack_order};
 pub use play::Patience;
 pub(crate) use scene::PlacedDisc;
 pub use scene::Scene;

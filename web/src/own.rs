@@ -37,10 +37,7 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
         let path = path.strip_prefix(OWN).unwrap_or(path);
         let (folder, rest) = path.split_once('/').unwrap_or(("", path));
         match folder {
-            "levels" => {
-                let (pack, _) = rest.split_once('/').unwrap_or(("own", rest));
-                levels.add(pack, rest, bytes);
-            }
+            "levels" => levels.add_bytes(rest.as_ref(), bytes),
             "lessons" => chapters.add_bytes(rest.as_ref(), bytes),
             "concepts" => {
                 let subject = rest.trim_end_matches(".toml");
@@ -169,6 +166,11 @@ mod tests {
         }
         let own = data(&[("own/concepts/our-coins.toml".into(), questions.to_vec())]).own;
         assert!(own.problems.is_empty() && !own.concepts.is_empty());
+        // The number of a pack only determines its position, as in the program.
+        let numbered = ("levels/2-our-pack/a-glance.toml".into(), level.to_vec());
+        let shelf = data(&[numbered]).shelf;
+        let pack = shelf.library().packs.last();
+        assert_eq!(pack.map(|it| it.name.as_str()), Some("our-pack"));
         let tracks = include_bytes!("../../assets/examples/measured/pucks.txt");
         assert!(measured("pucks.txt", tracks).is_some_and(|it| it.is_ok()));
         // Positions in pixels are accepted: the player sets the scale later, on the screen.
