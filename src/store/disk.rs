@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 use super::folder_lock::FolderLock;
-use super::text_store::{TextStore, free_number, number};
+use super::text_store::{TextStore, free_names, number};
 use crate::files::{self, FileError, UNFINISHED, UnplacedFile, fsync_dir};
 
 /// The lock file for writing to a folder.
@@ -130,16 +130,14 @@ impl TextStore for Disk {
                 self.clear_up();
             }
             let draft = self.draft(text)?;
-            let mut names = self.names()?;
-            loop {
-                let free = free_number(names.iter().map(String::as_str), kind);
-                let name = format!("{kind}-{free}");
+            let known = self.names()?;
+            for name in free_names(known.iter().map(String::as_str), kind) {
                 if draft.place(&self.path(&name))? {
                     fsync_dir(&self.folder)?;
                     return Ok(name);
                 }
-                names.push(name);
             }
+            Err(ErrorKind::AlreadyExists.into())
         })
     }
 

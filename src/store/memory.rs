@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::FileBytes;
-use super::text_store::{TextStore, free_number};
+use super::text_store::{TextStore, free_names};
 use crate::files::FileError;
 
 /// Texts in memory, the latest last.
@@ -52,8 +52,10 @@ impl TextStore for Memory {
     }
 
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
-        let names = self.texts.iter().map(|(name, _)| name.as_str());
-        let name = format!("{kind}-{}", free_number(names, kind));
+        let known: Vec<_> = self.texts.iter().map(|(name, _)| &**name).collect();
+        let name = free_names(known.iter().copied(), kind)
+            .find(|name| !known.contains(&name.as_str()))
+            .ok_or("there are too many files")?;
         self.texts.push((name.clone(), text.to_owned()));
         Ok(name)
     }

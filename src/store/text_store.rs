@@ -39,16 +39,21 @@ pub(super) trait TextStore: Send {
 }
 
 /// The number in a name that [`TextStore::add`] made: 7 in `game-7`.
-pub(super) fn number(name: &str) -> Option<u64> {
+pub(super) fn number(name: &str) -> Option<u32> {
     name.rsplit_once('-')?.1.parse().ok()
 }
 
-/// A number that is larger than that in any name of this kind.
-pub(super) fn free_number<'a>(names: impl IntoIterator<Item = &'a str>, kind: &str) -> u64 {
+/// Names of this kind, beginning with a number that is larger than that in any known name. If
+/// somebody has chosen a number that is too large, the first few may still be known.
+pub(super) fn free_names<'a>(
+    known: impl IntoIterator<Item = &'a str>,
+    kind: &str,
+) -> impl Iterator<Item = String> {
     let of_kind = |name: &&str| {
         let number = name.strip_prefix(kind);
         number.is_some_and(|rest| rest.starts_with('-'))
     };
-    let numbers = names.into_iter().filter(of_kind).filter_map(number);
-    numbers.max().unwrap_or(0).saturating_add(1)
+    let numbers = known.into_iter().filter(of_kind).filter_map(number);
+    let last = numbers.max().unwrap_or(0);
+    (u64::from(last) + 1..).map(move |number| format!("{kind}-{number}"))
 }

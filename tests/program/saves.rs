@@ -624,6 +624,21 @@ fn only_the_removed_game_is_deleted() {
     }
 }
 
+#[test]
+fn a_file_with_a_huge_number_does_not_use_up_the_names() {
+    let folder = Folder::new("huge-number");
+    let games = folder.path().join("games");
+    fs::create_dir(&games).unwrap();
+    for number in [u64::MAX, u32::MAX.into()] {
+        fs::write(games.join(format!("game-{number}.toml")), "").unwrap();
+    }
+    let mut store = Store::in_folder(folder.path());
+    for ticket in 1..=2 {
+        save(&mut store, ticket, &saved(friendly(8), 1, ticket));
+    }
+    assert_eq!(readable(&mut store).len(), 2);
+}
+
 /// A game of two people at the table.
 fn table(store: Store) -> Headless {
     let settings = Settings {
