@@ -12,14 +12,13 @@ use super::Database;
 use super::tables::{LossyText, readable};
 use crate::lessons::{Bookmark, Forget, GivenAnswer, given_json, tries_of_json};
 
-const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
+const PLACES: &str = "SELECT * FROM bookmark WHERE player = ?1";
 
-const PAGES: &str = "SELECT chapter, page, asked, answer, is_right FROM page_seen \
-    WHERE player = ?1";
+const PAGES: &str = "SELECT * FROM page_seen WHERE player = ?1";
 
 impl Database {
     /// Adds a player's latest actions in a chapter to the bookmark.
-    pub(in crate::store) fn mark(
+    pub(crate) fn mark(
         &mut self,
         player: &str,
         chapter: &str,
@@ -54,7 +53,7 @@ impl Database {
     }
 
     /// Deletes the given part of a player's bookmarks.
-    pub(in crate::store) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
+    pub(crate) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
         if self.is_nowhere() {
             return Ok(());
         }
@@ -70,10 +69,7 @@ impl Database {
     }
 
     /// All bookmarks of a player, by chapter id.
-    pub(in crate::store) fn marks(
-        &mut self,
-        player: &str,
-    ) -> Result<BTreeMap<String, Bookmark>, String> {
+    pub(crate) fn marks(&mut self, player: &str) -> Result<BTreeMap<String, Bookmark>, String> {
         self.look_up(|transaction| {
             let (places, _) = readable(transaction, PLACES, [player], place)?;
             let mut marks: BTreeMap<_, Bookmark> = places.into_iter().collect();

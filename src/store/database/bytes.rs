@@ -39,7 +39,7 @@ impl Database {
     ///
     /// # Errors
     /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.
-    pub(in crate::store) fn of_bytes(bytes: &[u8], kept: &str) -> Result<(Self, bool), String> {
+    pub(crate) fn of_bytes(bytes: &[u8], kept: &str) -> Result<(Self, bool), String> {
         let sound = |location| Ok((Self::at(location), false));
         match open(bytes) {
             Ok(connection) => sound(Location::Memory(Some(connection))),
@@ -59,7 +59,7 @@ impl Database {
     ///
     /// # Errors
     /// The reason why they cannot be read.
-    pub(in crate::store) fn bytes(&mut self) -> Result<Option<Vec<u8>>, String> {
+    pub(crate) fn bytes(&mut self) -> Result<Option<Vec<u8>>, String> {
         Ok(match &mut self.location {
             Location::Memory(Some(connection)) => Some(
                 connection
@@ -76,7 +76,7 @@ impl Database {
     ///
     /// # Errors
     /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.
-    pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
+    pub(crate) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
         let reported = |trouble: DatabaseError| trouble.to_string();
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;

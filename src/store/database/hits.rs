@@ -6,19 +6,13 @@ use super::Database;
 use super::tables::LossyText;
 use crate::progress::{NotedHit, Observation, rays_of_text, rays_text};
 
-const NOTEBOOK: &str = "SELECT time_s, setup, said FROM lab_hit WHERE player = ?1 \
-                        ORDER BY id DESC LIMIT ?2";
+const NOTEBOOK: &str = "SELECT * FROM lab_hit WHERE player = ?1 ORDER BY id DESC LIMIT ?2";
 
-const OBSERVATIONS: &str = "SELECT time_s, player, place, said, truth, seen FROM observation \
-                            WHERE ?1 IS NULL OR player = ?1 ORDER BY id";
+const OBSERVATIONS: &str = "SELECT * FROM observation WHERE ?1 IS NULL OR player = ?1 ORDER BY id";
 
 impl Database {
     /// Adds a hit to a player's notebook.
-    pub(in crate::store) fn note_hit(
-        &mut self,
-        player: &str,
-        hit: &NotedHit,
-    ) -> Result<(), String> {
+    pub(crate) fn note_hit(&mut self, player: &str, hit: &NotedHit) -> Result<(), String> {
         self.change(|transaction| {
             transaction.execute(
                 "INSERT INTO lab_hit (time_s, player, setup, said) VALUES (?1, ?2, ?3, ?4)",
@@ -34,7 +28,7 @@ impl Database {
 
     /// The latest hits in a player's notebook, in the order in which they were made. A notice
     /// reports once how many are left out because carrom cannot have written them.
-    pub(in crate::store) fn notebook(&mut self, player: &str) -> Result<Vec<NotedHit>, String> {
+    pub(crate) fn notebook(&mut self, player: &str) -> Result<Vec<NotedHit>, String> {
         let latest = (player, NotedHit::MOST as i64);
         let (mut hits, misfits) = self.rows(NOTEBOOK, latest, noted_hit)?;
         hits.reverse();
@@ -43,7 +37,7 @@ impl Database {
     }
 
     /// Deletes all hits in a player's notebook.
-    pub(in crate::store) fn clear_notebook(&mut self, player: &str) -> Result<(), String> {
+    pub(crate) fn clear_notebook(&mut self, player: &str) -> Result<(), String> {
         if self.is_nowhere() {
             return Ok(());
         }
@@ -53,7 +47,7 @@ impl Database {
     }
 
     /// Stores what a player saw.
-    pub(in crate::store) fn observe(&mut self, it: &Observation) -> Result<(), String> {
+    pub(crate) fn observe(&mut self, it: &Observation) -> Result<(), String> {
         self.change(|transaction| {
             transaction.execute(
                 "INSERT INTO observation (time_s, player, place, said, truth, seen) \
@@ -72,7 +66,7 @@ impl Database {
 
     /// All observations of a player, or of everyone, in the order in which they were made. Rows
     /// that carrom cannot have written are left out, and reported once.
-    pub(in crate::store) fn observations(
+    pub(crate) fn observations(
         &mut self,
         player: Option<&str>,
     ) -> Result<Vec<Observation>, String> {

@@ -9,11 +9,9 @@ use crate::numbers::counted;
 use crate::progress::{Attempt, figures_text};
 use crate::quiz::{Confidence, Figures};
 
-const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \
-                        truth, error_deg, credit, is_right, confidence, misconception \
-                        FROM attempt WHERE ?1 IS NULL OR player = ?1 ORDER BY id";
+const ATTEMPTS: &str = "SELECT * FROM attempt WHERE ?1 IS NULL OR player = ?1 ORDER BY id";
 
-const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
+const STARS: &str = "SELECT * FROM star WHERE player = ?1 ORDER BY pack, level";
 
 const PLAYERS: &str = "SELECT player, max(time_s) AS last_s FROM \
                        (SELECT player, time_s FROM attempt UNION ALL \
@@ -25,22 +23,19 @@ const PLAYERS: &str = "SELECT player, max(time_s) AS last_s FROM \
 impl Database {
     /// All players about whom anything is stored, each with the time of their last answer, the most
     /// recent first.
-    pub(in crate::store) fn players(&mut self) -> Result<Vec<(String, Option<i64>)>, String> {
+    pub(crate) fn players(&mut self) -> Result<Vec<(String, Option<i64>)>, String> {
         let player = |row: &Row| Ok(Some((row.get("player")?, row.get("last_s")?)));
         self.rows(PLAYERS, [], player).map(|(players, _)| players)
     }
 
     /// Stores an answer.
-    pub(in crate::store) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
+    pub(crate) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
         self.change(|transaction| insert_attempt(transaction, attempt))
     }
 
     /// All answers of a player, or of everyone, in the order in which they were stored. A notice
     /// reports once how many fit no question and are left out.
-    pub(in crate::store) fn attempts(
-        &mut self,
-        player: Option<&str>,
-    ) -> Result<Vec<Attempt>, String> {
+    pub(crate) fn attempts(&mut self, player: Option<&str>) -> Result<Vec<Attempt>, String> {
         let (attempts, misfits) = self.look_up(|transaction| attempts(transaction, player))?;
         self.report_misfits(misfits, "answer", "that fit no question");
         Ok(attempts)
@@ -59,7 +54,7 @@ impl Database {
     }
 
     /// Stores a player's stars for a level, unless at least as many are already stored.
-    pub(in crate::store) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
+    pub(crate) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
         self.change(|transaction| {
             transaction.execute(
                 "INSERT INTO star (player, pack, level, stars) VALUES (?1, ?2, ?3, ?4) \
@@ -70,7 +65,7 @@ impl Database {
     }
 
     /// The stars of all levels that a player has won.
-    pub(in crate::store) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
+    pub(crate) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
         let starred = |row: &Row| {
             Ok(Some(Starred {
                 pack: row.get("pack")?,
