@@ -122,7 +122,9 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     }
     written::write(&all, args.force)?;
     if let Some(out) = args.out.as_ref().filter(|_| args.force) {
-        remove_others(out, &all)?;
+        for worksheet in &worksheets {
+            remove_others(out, &ending(worksheet), &all)?;
+        }
     }
     print_names(all.iter().filter(|(path, _)| !is_picture(path)))
 }
@@ -141,10 +143,15 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
     Ok(Code { course, seed })
 }
 
+/// The ending of a version's names: "-a"; empty if there is only one version.
+fn ending(worksheet: &Worksheet) -> String {
+    let version = worksheet.version.map(|it| it.to_ascii_lowercase());
+    version.map_or_else(String::new, |letter| format!("-{letter}"))
+}
+
 /// The files to write into a folder.
 fn files(worksheet: &Worksheet, args: &Args, out: &Path) -> Vec<Document> {
-    let version = worksheet.version.map(|it| it.to_ascii_lowercase());
-    let version = version.map_or_else(String::new, |letter| format!("-{letter}"));
+    let version = ending(worksheet);
     let mut files = Vec::new();
     let mut file = |name: &str, content: String| {
         let named = name.replacen('.', &format!("{version}."), 1);
@@ -173,16 +180,17 @@ fn is_picture(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "svg")
 }
 
-/// Removes files of another round's worksheet from the folder: a key that does not belong to
-/// these questions, and unused pictures.
-fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
-    let keys = ["key.html", "key.md"].map(|name| out.join(name));
+/// Removes files of another round's worksheet from the folder: a version's key that does not
+/// belong to these questions, and unused pictures.
+fn remove_others(out: &Path, version: &str, files: &[Document]) -> anyhow::Result<()> {
+    let keys = ["html", "md"].map(|kind| out.join(format!("key{version}.{kind}")));
     let mut others: Vec<_> = keys.into_iter().filter(|path| path.is_file()).collect();
-    if let Ok(entries) = fs::read_dir(out.join(PICTURES)) {
+    let folder = out.join(format!("{PICTURES}{version}"));
+    if let Ok(entries) = fs::read_dir(&folder) {
         let names = entries.flatten().map(|entry| entry.file_name());
         let pictures =
             names.filter(|name| name.to_str().is_some_and(WorksheetPicture::is_file_name));
-        others.extend(pictures.map(|name| out.join(PICTURES).join(name)));
+        others.extend(pictures.map(|name| folder.join(name)));
     }
     for path in others {
         if !files.iter().any(|(written, _)| *written == path) {

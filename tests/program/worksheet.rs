@@ -276,6 +276,23 @@ fn existing_worksheets_are_replaced_only_with_force() {
 }
 
 #[test]
+fn no_version_keeps_the_key_or_the_pictures_of_another_round() {
+    let folder = Folder::new("versions");
+    let out = within(&folder, "sheets");
+    let ask = ["--versions", "2", "--out", &out, "--force"];
+    let first = worksheet(&[&ask[..], &["--code", "mixed12-7"]].concat());
+    assert!(first.status.success(), "{}", err(&first));
+    let pictures = || fs::read_dir(format!("{out}/pictures-b")).unwrap().count();
+    let before = pictures();
+    let second = worksheet(&[&ask[..], &["--code", "mixed2-8", "--with-key"]].concat());
+    assert!(second.status.success(), "{}", err(&second));
+    for key in ["key-a.html", "key-a.md", "key-b.html", "key-b.md"] {
+        assert!(!Path::new(&out).join(key).exists(), "{key}");
+    }
+    assert!(pictures() < before);
+}
+
+#[test]
 fn one_document_can_have_a_code_a_title_and_the_key() {
     let folder = Folder::new("code");
     let out = within(&folder, "a");
