@@ -12,24 +12,7 @@ use crate::progress::Attempt;
 const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
 
 /// Adds everything in one database, except the answers, to another.
-const TAKE_IN: &str = "
-    INSERT INTO star (player, pack, level, stars)
-        SELECT player, pack, level, stars FROM opened.star WHERE true
-        ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars);
-    INSERT INTO bookmark (player, chapter, page, alpha_deg)
-        SELECT player, chapter, page, alpha_deg FROM opened.bookmark WHERE true
-        ON CONFLICT DO NOTHING;
-    INSERT INTO page_seen (player, chapter, page, asked, answer, is_right)
-        SELECT player, chapter, page, asked, answer, is_right FROM opened.page_seen WHERE true
-        ON CONFLICT DO UPDATE SET asked = excluded.asked, answer = excluded.answer,
-            is_right = excluded.is_right
-        WHERE page_seen.answer IS NULL AND excluded.answer IS NOT NULL;
-    INSERT INTO lab_hit (time_s, player, setup, said)
-        SELECT time_s, player, setup, said FROM opened.lab_hit
-        EXCEPT SELECT time_s, player, setup, said FROM lab_hit ORDER BY time_s;
-    INSERT INTO observation (time_s, player, place, said, truth, seen)
-        SELECT time_s, player, place, said, truth, seen FROM opened.observation
-        EXCEPT SELECT time_s, player, place, said, truth, seen FROM observation ORDER BY time_s;";
+const TAKE_IN: &str = include_str!("take-in.sql");
 
 impl Database {
     /// A database in memory with the contents of these bytes. A database that a newer version of
