@@ -465,8 +465,7 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
                 _ => (mark.trim(), text),
             };
             let text = match mark {
-                _ if text.is_empty() => text,
-                "" | "-" => text,
+                mark if text.is_empty() || matches!(mark, "" | "-") => text,
                 "✓" => format!("Right: {text}"),
                 "✗" => format!("Not right: {text}"),
                 mark => format!("{}: {text}", mark.trim_end_matches('.')),

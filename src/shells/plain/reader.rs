@@ -246,13 +246,9 @@ impl PlainReader {
         let is_more = match last {
             "more" => true,
             "less" => false,
-            "back" | "next" | "n" if name.is_empty() => {
-                let key = if last == "back" {
-                    Key::Escape
-                } else {
-                    Key::Char('n')
-                };
-                return table.keys().any(|it| it == key).then_some(key);
+            "back" if name.is_empty() => return table.keys().find(|it| *it == Key::Escape),
+            "next" | "n" if name.is_empty() => {
+                return table.keys().find(|it| *it == Key::Char('n'));
             }
             _ => return None,
         };
