@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use super::{Failure, GlobalOptions};
 use crate::files::{self, Existing, Source};
 use crate::shells::Headless;
-use crate::shells::tape::{INSTRUCTIONS, PlayError, Tape, play};
+use crate::shells::tape::{INSTRUCTIONS, PlayFault, Tape, play};
 use crate::store::Store;
 
 /// Play a script without a terminal, on simulated time
@@ -45,8 +45,8 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     };
     let screenshots = play(&tape, open).map_err(|error| {
         let message = anyhow!("{file}:{error}");
-        match error {
-            PlayError::Run { .. } | PlayError::Pupil { .. } => Failure::Input(message),
+        match error.fault {
+            PlayFault::Run(_) | PlayFault::Pupil(_) => Failure::Input(message),
             _ => Failure::Work(message),
         }
     })?;

@@ -6,7 +6,7 @@ use carrom::app::App;
 use carrom::cli;
 use carrom::messages::{Key, Mouse, MouseKind};
 use carrom::screens::{Context, Hosted, Next, Route, Screen, Settings, View};
-use carrom::shells::tape::{ParseError, PlayError, Screenshot, Tape, play};
+use carrom::shells::tape::{ParseError, PlayError, PlayFault, Screenshot, Tape, play};
 use carrom::widgets::input::KeyTable;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -187,26 +187,29 @@ fn a_long_tape_is_refused() {
 #[test]
 fn a_failed_expectation_shows_line_and_screen() {
     let error = played("# first\nExpect \"90.0\"").unwrap_err();
-    assert!(matches!(&error, PlayError::Expect { line: 2, text, .. } if text == "90.0"));
+    assert_eq!(error.line, 2);
+    assert!(matches!(&error.fault, PlayFault::Expect { text, .. } if text == "90.0"));
     let message = error.to_string();
     assert!(message.starts_with("2: Expect: the screen does not show \"90.0\"\n"));
     assert!(message.contains("carrom : home"));
 
     let error = played("Refuse \"home\"").unwrap_err();
-    assert!(matches!(error, PlayError::Refuse { line: 1, .. }));
+    assert_eq!(error.line, 1);
+    assert!(matches!(error.fault, PlayFault::Refuse { .. }));
 }
 
 #[test]
 fn unusable_arguments_are_reported() {
     let error = played("# first\nRun \"lab --sed 3\"").unwrap_err();
-    assert!(matches!(&error, PlayError::Run { line: 2, message }
-        if message.contains("'--sed'")));
+    assert_eq!(error.line, 2);
+    assert!(matches!(error.fault, PlayFault::Run(reason) if reason.contains("'--sed'")));
 }
 
 #[test]
 fn nothing_can_follow_after_carrom_has_quit() {
     let error = played("Type \"q\"\nScreenshot late").unwrap_err();
-    assert_eq!(error, PlayError::Left { line: 2, left: 1 });
+    let fault = PlayFault::Left(1);
+    assert_eq!(error, PlayError { line: 2, fault });
 }
 
 /// A screen that records every input and shows it.

@@ -333,10 +333,8 @@ impl PlainReader {
             Asked::Number(_, unit) => number(line, unit, LEAST, MOST)?,
             _ => return Err(self.expected()),
         };
-        press(
-            digits(value).chars().map(Key::Char).chain([Key::Enter]),
-            holder,
-        )?;
+        let digits = digits(value);
+        press(digits.chars().map(Key::Char).chain([Key::Enter]), holder)?;
         self.enter(holder, &["dial.enter", "answer.enter"]);
         Ok(Vec::new())
     }

@@ -1,8 +1,8 @@
 //! Tapes: scripts that play carrom without a terminal, on simulated time.
 //!
-//! Each line has one instruction. `#` starts a comment, and strings are in double quotes (with the
-//! escapes `\"`, `\\`, `\n` and `\t`). `instructions.txt` lists all of them; `Run` is optional and must
-//! come first.
+//! Each line has one instruction; `instructions.txt` lists all of them. `#` starts a comment, and
+//! strings are in double quotes (with the escapes `\"`, `\\`, `\n` and `\t`). `Run` is optional and
+//! must come first.
 //!
 //! Nothing in a run depends on the clock or on chance, so the same tape with the same stored data
 //! always gives the same screens, byte for byte.
@@ -15,7 +15,7 @@ mod screenshot;
 
 pub use instruction::{Instruction, ScreenSetting};
 pub use parse::ParseError;
-pub use play::{PlayError, play};
+pub use play::{PlayError, PlayFault, play};
 pub use screenshot::Screenshot;
 
 /// The instructions, for the help of the command.

@@ -12,56 +12,44 @@ use crate::shells::classroom::Who;
 use crate::shells::{Classroom, Headless};
 use crate::widgets::recorded;
 
-/// Why a tape did not play to its end.
+/// The instruction at which a tape failed.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum PlayError {
-    /// carrom cannot be started with these arguments.
-    #[error("{line}: Run: {message}")]
-    Run {
-        /// Number of the line, from 1.
-        line: usize,
-        /// What is wrong with the arguments.
-        message: String,
-    },
+#[error("{line}: {fault}")]
+pub struct PlayError {
+    /// Number of the line, from 1.
+    pub line: usize,
+    /// Why it failed.
+    pub fault: PlayFault,
+}
+
+/// Why an instruction of a tape failed.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum PlayFault {
+    /// carrom cannot be started with these arguments, for this reason.
+    #[error("Run: {0}")]
+    Run(String),
     /// No pupil has this name.
-    #[error("{line}: there is no pupil {}", quoted(name))]
-    Pupil {
-        /// Number of the line, from 1.
-        line: usize,
-        /// The name in the instruction.
-        name: String,
-    },
+    #[error("there is no pupil {}", quoted(.0))]
+    Pupil(String),
     /// The screen does not show the expected text.
-    #[error(
-        "{line}: Expect: the screen does not show {}\n\n{screen}",
-        quoted(text)
-    )]
+    #[error("Expect: the screen does not show {}\n\n{screen}", quoted(text))]
     Expect {
-        /// Number of the line, from 1.
-        line: usize,
         /// The expected text.
         text: String,
         /// The screen.
         screen: String,
     },
     /// The screen shows a text that must not appear.
-    #[error("{line}: Refuse: the screen shows {}\n\n{screen}", quoted(text))]
+    #[error("Refuse: the screen shows {}\n\n{screen}", quoted(text))]
     Refuse {
-        /// Number of the line, from 1.
-        line: usize,
         /// The text that must not appear.
         text: String,
         /// The screen.
         screen: String,
     },
-    /// An instruction follows after carrom has quit.
-    #[error("{line}: carrom quit in line {left}, so no instruction can follow")]
-    Left {
-        /// Number of the line, from 1.
-        line: usize,
-        /// The line after which it quit.
-        left: usize,
-    },
+    /// The instruction follows after carrom has quit in this line.
+    #[error("carrom quit in line {0}, so no instruction can follow")]
+    Left(usize),
 }
 
 /// Plays `tape` on an app that `open` makes from the arguments after `carrom` (in one string, which
@@ -78,14 +66,18 @@ pub fn play<G: Into<Headless>>(
         Some((line, arguments)) => (*line, arguments.as_str()),
         None => (1, ""),
     };
-    let opened = open(arguments).map_err(|message| PlayError::Run { line, message })?;
+    let opened = open(arguments).map_err(|reason| PlayError {
+        line,
+        fault: PlayFault::Run(reason),
+    })?;
     let mut class = Classroom::new(opened.into());
     let mut who = Who::Host;
     let mut left = None;
     let mut screenshots = Vec::new();
     for (line, instruction) in &tape.steps {
+        let failed = |fault| PlayError { line: *line, fault };
         if let Some(left) = left {
-            return Err(PlayError::Left { line: *line, left });
+            return Err(failed(PlayFault::Left(left)));
         }
         let game = class.game(who);
         match instruction {
@@ -96,10 +88,7 @@ pub fn play<G: Into<Headless>>(
                 }
             }
             Instruction::Reach(name, reaches) => {
-                let unknown = || PlayError::Pupil {
-                    line: *line,
-                    name: name.clone(),
-                };
+                let unknown = || failed(PlayFault::Pupil(name.clone()));
                 let pupil = class.pupil(name).ok_or_else(unknown)?;
                 class.reach(pupil, *reaches);
             }
@@ -133,8 +122,8 @@ pub fn play<G: Into<Headless>>(
                     sheets,
                 });
             }
-            Instruction::Expect(text) => judge(*line, game, text, true)?,
-            Instruction::Refuse(text) => judge(*line, game, text, false)?,
+            Instruction::Expect(text) => judge(game, text, true).map_err(failed)?,
+            Instruction::Refuse(text) => judge(game, text, false).map_err(failed)?,
         }
         class.settle();
         left = class.game(who).has_quit().then_some(*line);
@@ -161,16 +150,16 @@ fn come(class: &mut Classroom, name: &str) -> Who {
 
 /// Fails if `text` is `wanted` and the screen does not show it, or if it is not wanted and the
 /// screen shows it.
-fn judge(line: usize, game: &mut Headless, text: &str, wanted: bool) -> Result<(), PlayError> {
+fn judge(game: &mut Headless, text: &str, wanted: bool) -> Result<(), PlayFault> {
     let screen = game.screen();
     if screen.contains(text) == wanted {
         return Ok(());
     }
     let text = text.to_owned();
     Err(if wanted {
-        PlayError::Expect { line, text, screen }
+        PlayFault::Expect { text, screen }
     } else {
-        PlayError::Refuse { line, text, screen }
+        PlayFault::Refuse { text, screen }
     })
 }
 

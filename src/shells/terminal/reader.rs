@@ -9,22 +9,15 @@ use crossterm::event::{
 use super::message::{Inbox, Message};
 use super::spawn;
 #[cfg(unix)]
-use super::tty::{EventSource, Received};
-#[cfg(unix)]
-use super::version;
+use super::tty::Tty;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
 /// Starts the reading thread. It ends when the process ends or the terminal is closed.
 pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     #[cfg(unix)]
-    let mut source = EventSource::open()?;
+    let mut source = Tty::open()?;
     #[cfg(unix)]
-    let mut next = move || {
-        source.next().map(|received| match received {
-            Received::Event(event) => message(&event),
-            Received::Version(version) => Some(Message::Blocks(version::blocks(&version))),
-        })
-    };
+    let mut next = move || source.next();
     #[cfg(not(unix))]
     let next = || crossterm::event::read().map(|event| message(&event));
     let read = move || {
@@ -41,7 +34,7 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
 }
 
 /// The message for an event; `None` if carrom ignores the event.
-fn message(event: &Event) -> Option<Message> {
+pub(super) fn message(event: &Event) -> Option<Message> {
     let input = match event {
         Event::Key(event) => match key(event)? {
             // In raw mode the terminal does not handle Ctrl+Z itself.

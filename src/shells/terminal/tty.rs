@@ -1,4 +1,4 @@
-//! The events of a terminal on Unix.
+//! The input of a terminal on Unix.
 
 use std::collections::VecDeque;
 use std::fs::File;
@@ -11,27 +11,22 @@ use std::time::Duration;
 use crossterm::event::Event;
 
 use super::decoder::Decoder;
-use super::spawn;
+use super::message::Message;
+use super::reader::message;
+use super::{spawn, version};
 use crate::shells::receive;
 
 /// The largest number of blocks of input that are read ahead of the decoder.
 const READ_AHEAD: usize = 16;
 
-/// Something that the terminal has sent.
-pub(super) enum Received {
-    Event(Event),
-    /// The terminal's name and version.
-    Version(String),
-}
-
-/// The terminal's input as events.
-pub(super) struct EventSource {
+/// The terminal's input as messages.
+pub(super) struct Tty {
     bytes: Receiver<io::Result<Vec<u8>>>,
     decoder: Decoder,
     events: VecDeque<Event>,
 }
 
-impl EventSource {
+impl Tty {
     /// Starts reading from standard input, which is a terminal.
     ///
     /// A separate thread reads, because the decoder needs a time limit and not every system can
@@ -47,14 +42,14 @@ impl EventSource {
         })
     }
 
-    /// Waits for the next event or reply.
-    pub(super) fn next(&mut self) -> io::Result<Received> {
+    /// Waits for the next event or reply; returns its message, or `None` if carrom ignores it.
+    pub(super) fn next(&mut self) -> io::Result<Option<Message>> {
         loop {
             if let Some(version) = self.decoder.take_version() {
-                return Ok(Received::Version(version));
+                return Ok(Some(Message::Blocks(version::blocks(&version))));
             }
             if let Some(event) = self.events.pop_front() {
-                return Ok(Received::Event(event));
+                return Ok(message(&event));
             }
             match receive(&self.bytes, self.decoder.patience()) {
                 Ok(bytes) => self.decoder.feed(&bytes?, &mut self.events),
