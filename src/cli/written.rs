@@ -9,10 +9,7 @@ use crate::files::{Document, Existing, Unwritten, put};
 
 /// Writes documents, all of them or none; existing files are replaced only with --force.
 /// Missing folders are created.
-pub(super) fn write<T: AsRef<[u8]>>(
-    documents: &[(PathBuf, T)],
-    force: bool,
-) -> Result<(), Failure> {
+pub(super) fn write(documents: &[(PathBuf, impl AsRef<[u8]>)], force: bool) -> Result<(), Failure> {
     let existing = if force { Existing::Go } else { Existing::Stay };
     put(documents, existing).map_err(|error| match error {
         Unwritten::There(_) => anyhow!("{error} (--force replaces it)").into(),
@@ -32,17 +29,14 @@ pub(super) fn write_beside<T: AsRef<[u8]>>(
     documents: &[(PathBuf, T)],
     force: bool,
 ) -> Result<(), Failure> {
-    let lacks_folder = |(named, _): &&(PathBuf, T)| {
-        let folder = named.parent().filter(|it| !it.as_os_str().is_empty());
-        folder.is_some_and(|it| !it.is_dir())
-    };
-    match documents.first().filter(lacks_folder) {
-        Some((named, _)) => Err(Failure::Work(anyhow!(
-            "cannot write {}: its folder does not exist",
-            named.display()
-        ))),
-        None => write(documents, force),
+    if let Some((named, _)) = documents.first()
+        && let Some(folder) = named.parent()
+        && !(folder.as_os_str().is_empty() || folder.is_dir())
+    {
+        let named = named.display();
+        return Err(anyhow!("cannot write {named}: its folder does not exist").into());
     }
+    write(documents, force)
 }
 
 /// Like [`write_beside`], and prints the names of the files.
