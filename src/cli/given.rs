@@ -6,13 +6,12 @@ use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError, FileErrors, FileLibrary};
 use crate::screens::KeptSettings;
 
+/// Reads something from a file's name and bytes.
+type ReadBytes<T> = fn(&str, &[u8]) -> Result<T, FileErrors>;
+
 /// Reads a file; `-` is standard input. `read` receives the file's name, for messages, and at most
 /// `most` + 1 of its bytes.
-pub(super) fn read<T>(
-    path: &Path,
-    most: usize,
-    read: fn(&str, &[u8]) -> Result<T, FileErrors>,
-) -> Result<T, Failure> {
+pub(super) fn read<T>(path: &Path, most: usize, read: ReadBytes<T>) -> Result<T, Failure> {
     let bytes = files::read_given(path, most).map_err(Failure::input)?;
     let name = match path.as_os_str() == "-" {
         true => files::STDIN.to_owned(),
@@ -28,7 +27,7 @@ pub(super) fn read<T>(
 pub(super) fn kept<T: Default>(
     path: &Path,
     most: usize,
-    read: fn(&str, &[u8]) -> Result<T, FileErrors>,
+    read: ReadBytes<T>,
 ) -> Result<T, FileErrors> {
     if !path.exists() {
         return Ok(T::default());

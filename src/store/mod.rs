@@ -44,7 +44,7 @@ use disk::Disk;
 pub(crate) use forget::Forgetting;
 pub use kept_elsewhere::FileBytes;
 use memory::Memory;
-use open_files::OpenFiles;
+use open_files::{OpenFiles, ReadBytes};
 use text_store::TextStore;
 
 /// The suffix of saved games and class rounds.
@@ -140,9 +140,7 @@ impl Store {
     /// The same store with a teacher's own questions, so that rounds with these questions can be
     /// resumed.
     pub fn with_own(mut self, own: &Arc<Library>) -> Self {
-        let own = Arc::clone(own);
-        self.classes
-            .read_by(move |name, bytes| ClassRound::read(name, bytes, &own));
+        self.classes.read = reading_classes(Arc::clone(own));
         self
     }
 
@@ -175,10 +173,8 @@ impl Store {
         let games = texts(GAMES, TEXT, SavedGame::LARGEST_FILE);
         let classes = texts(CLASSES, TEXT, ClassRound::LARGEST_FILE);
         Self {
-            games: OpenFiles::new(games, "game", SavedGame::read),
-            classes: OpenFiles::new(classes, "class", |name, bytes| {
-                ClassRound::read(name, bytes, &Arc::default())
-            }),
+            games: OpenFiles::new(games, "game", Box::new(SavedGame::read)),
+            classes: OpenFiles::new(classes, "class", reading_classes(Arc::default())),
             // These texts are only written.
             exports: texts("exports", TEXT, 0),
             tables: texts("exports", TABLE, 0),
@@ -466,6 +462,11 @@ fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
         Some(home) => Ok(Some(home.join(name))),
         None => Err(format!("The location of the folder {name} is unknown.")),
     }
+}
+
+/// Reads class rounds, which may have questions of this library.
+fn reading_classes(own: Arc<Library>) -> ReadBytes<ClassRound> {
+    Box::new(move |name, bytes| ClassRound::read(name, bytes, &own))
 }
 
 /// The text of a game's file.

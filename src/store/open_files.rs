@@ -13,7 +13,7 @@ pub(super) struct OpenFiles<T> {
     /// The start of the names.
     kind: &'static str,
     /// Reads an item from a file's name and bytes.
-    read: ReadBytes<T>,
+    pub(super) read: ReadBytes<T>,
     /// The name and the last known text of each open item, by ticket.
     open: BTreeMap<u64, OpenFile>,
     /// The pending notice for the player.
@@ -21,7 +21,7 @@ pub(super) struct OpenFiles<T> {
 }
 
 /// A function that reads an item from a file's name and bytes.
-type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
+pub(super) type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
 /// An item that is open for saving.
 struct OpenFile {
@@ -31,26 +31,14 @@ struct OpenFile {
 
 impl<T> OpenFiles<T> {
     /// The items of one kind in a store of texts; none of them is open.
-    pub(super) fn new(
-        texts: Box<dyn TextStore>,
-        kind: &'static str,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
-    ) -> Self {
+    pub(super) fn new(texts: Box<dyn TextStore>, kind: &'static str, read: ReadBytes<T>) -> Self {
         Self {
             texts,
             kind,
-            read: Box::new(read),
+            read,
             open: BTreeMap::new(),
             notice: None,
         }
-    }
-
-    /// Replaces the function that reads items.
-    pub(super) fn read_by(
-        &mut self,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
-    ) {
-        self.read = Box::new(read);
     }
 
     /// Replaces all texts, because another copy of carrom has changed them. Open items stay open.

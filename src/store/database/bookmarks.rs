@@ -24,7 +24,7 @@ impl Database {
         chapter: &str,
         later: &Bookmark,
     ) -> Result<(), String> {
-        self.change(|transaction| {
+        self.change(&|transaction| {
             transaction.execute(
                 "INSERT INTO bookmark (player, chapter, page, alpha_deg) VALUES (?1, ?2, ?3, ?4) \
                  ON CONFLICT DO UPDATE SET page = coalesce(excluded.page, page), \
@@ -57,7 +57,7 @@ impl Database {
         if self.is_nowhere() {
             return Ok(());
         }
-        self.change(|transaction| match what {
+        self.change(&|transaction| match what {
             Forget::Answer { chapter, page } => transaction.execute(
                 "UPDATE page_seen SET asked = NULL, answer = NULL, is_right = NULL \
                  WHERE player = ?1 AND chapter = ?2 AND page = ?3",
@@ -70,7 +70,7 @@ impl Database {
 
     /// All bookmarks of a player, by chapter id.
     pub(crate) fn marks(&mut self, player: &str) -> Result<BTreeMap<String, Bookmark>, String> {
-        self.look_up(|transaction| {
+        self.look_up(&|transaction| {
             let (places, _) = readable(transaction, PLACES, [player], place)?;
             let mut marks: BTreeMap<_, Bookmark> = places.into_iter().collect();
             for (chapter, page, given) in readable(transaction, PAGES, [player], page)?.0 {

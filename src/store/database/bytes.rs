@@ -65,7 +65,7 @@ impl Database {
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
         // This also ensures that the tables exist.
-        self.change(|transaction| {
+        self.change(&|transaction| {
             let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
             fresh
                 .map(|attempt: &Attempt| tables::insert_attempt(transaction, attempt))

@@ -13,7 +13,7 @@ const OBSERVATIONS: &str = "SELECT * FROM observation WHERE ?1 IS NULL OR player
 impl Database {
     /// Adds a hit to a player's notebook.
     pub(crate) fn note_hit(&mut self, player: &str, hit: &NotedHit) -> Result<(), String> {
-        self.change(|transaction| {
+        self.change(&|transaction| {
             transaction.execute(
                 "INSERT INTO lab_hit (time_s, player, setup, said) VALUES (?1, ?2, ?3, ?4)",
                 params![
@@ -41,14 +41,14 @@ impl Database {
         if self.is_nowhere() {
             return Ok(());
         }
-        self.change(|transaction| {
+        self.change(&|transaction| {
             transaction.execute("DELETE FROM lab_hit WHERE player = ?1", [player])
         })
     }
 
     /// Stores what a player saw.
     pub(crate) fn observe(&mut self, it: &Observation) -> Result<(), String> {
-        self.change(|transaction| {
+        self.change(&|transaction| {
             transaction.execute(
                 "INSERT INTO observation (time_s, player, place, said, truth, seen) \
                  VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
@@ -171,7 +171,7 @@ mod tests {
             database.observe(&observation("Ada")).unwrap();
         }
         let spoil = |database: &mut Database, sql: &str| {
-            let spoilt = database.change(|transaction| transaction.execute_batch(sql));
+            let spoilt = database.change(&|transaction| transaction.execute_batch(sql));
             spoilt.unwrap();
         };
         spoil(

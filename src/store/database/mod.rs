@@ -78,6 +78,9 @@ enum Location {
     Newer(i64, Vec<u8>),
 }
 
+/// What is done in one transaction.
+type Act<'a, T> = &'a dyn Fn(&Transaction) -> rusqlite::Result<T>;
+
 impl Database {
     /// A database in memory, which is lost when the process ends.
     pub(super) fn in_memory() -> Self {
@@ -111,10 +114,7 @@ impl Database {
     }
 
     /// Reads something; returns the default if there is no database.
-    fn look_up<T: Default>(
-        &mut self,
-        look: impl Fn(&Transaction) -> rusqlite::Result<T>,
-    ) -> Result<T, String> {
+    fn look_up<T: Default>(&mut self, look: Act<T>) -> Result<T, String> {
         if self.is_nowhere() {
             return Ok(T::default());
         }
@@ -122,29 +122,22 @@ impl Database {
     }
 
     /// Changes something; the database is created if there is none.
-    fn change<T>(
-        &mut self,
-        change: impl Fn(&Transaction) -> rusqlite::Result<T>,
-    ) -> Result<(), String> {
+    fn change<T>(&mut self, change: Act<T>) -> Result<(), String> {
         self.run(TransactionBehavior::Immediate, change).map(drop)
     }
 
     /// Runs `act` as one transaction. If it fails, nothing is changed.
-    fn run<T>(
-        &mut self,
-        behavior: TransactionBehavior,
-        act: impl Fn(&Transaction) -> rusqlite::Result<T>,
-    ) -> Result<T, String> {
+    fn run<T>(&mut self, behavior: TransactionBehavior, act: Act<T>) -> Result<T, String> {
         let mut busy_since = None;
         let patience = if self.was_busy { LITTLE } else { PATIENCE };
         let mut was_mended = false;
         loop {
-            let mut tried = self.try_once(behavior, &act);
+            let mut tried = self.try_once(behavior, act);
             if matches!(&tried, Err(trouble) if trouble.is_forbidden())
                 && matches!(behavior, TransactionBehavior::Deferred)
                 && let Location::Folder(folder) = &self.location
             {
-                tried = self.look_up_in(&folder.clone(), &act);
+                tried = self.look_up_in(&folder.clone(), act);
             }
             self.was_busy = matches!(&tried, Err(trouble) if trouble.is_busy());
             match tried {
@@ -164,7 +157,7 @@ impl Database {
     fn try_once<T>(
         &mut self,
         behavior: TransactionBehavior,
-        act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
+        act: Act<T>,
     ) -> Result<T, DatabaseError> {
         let folder = match &mut self.location {
             Location::Folder(folder) => folder.clone(),
@@ -225,11 +218,7 @@ impl Database {
     }
 
     /// Reads something, and changes nothing.
-    fn look_up_in<T>(
-        &mut self,
-        folder: &Path,
-        look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
-    ) -> Result<T, DatabaseError> {
+    fn look_up_in<T>(&mut self, folder: &Path, look: Act<T>) -> Result<T, DatabaseError> {
         let mut connection = unchanged::open(&path(folder), self.checked.is_none())?;
         self.checked = Some(self.today);
         transact(&mut connection, TransactionBehavior::Deferred, look)
@@ -327,7 +316,7 @@ fn open(folder: &Path, wait: Duration) -> Result<Connection, DatabaseError> {
 fn transact<T>(
     connection: &mut Connection,
     behavior: TransactionBehavior,
-    act: impl Fn(&Transaction) -> rusqlite::Result<T>,
+    act: Act<T>,
 ) -> Result<T, DatabaseError> {
     let transaction = connection.transaction_with_behavior(behavior)?;
     let result = act(&transaction)?;

@@ -30,13 +30,13 @@ impl Database {
 
     /// Stores an answer.
     pub(crate) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
-        self.change(|transaction| insert_attempt(transaction, attempt))
+        self.change(&|transaction| insert_attempt(transaction, attempt))
     }
 
     /// All answers of a player, or of everyone, in the order in which they were stored. A notice
     /// reports once how many fit no question and are left out.
     pub(crate) fn attempts(&mut self, player: Option<&str>) -> Result<Vec<Attempt>, String> {
-        let (attempts, misfits) = self.look_up(|transaction| attempts(transaction, player))?;
+        let (attempts, misfits) = self.look_up(&|transaction| attempts(transaction, player))?;
         self.report_misfits(misfits, "answer", "that fit no question");
         Ok(attempts)
     }
@@ -55,7 +55,7 @@ impl Database {
 
     /// Stores a player's stars for a level, unless at least as many are already stored.
     pub(crate) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
-        self.change(|transaction| {
+        self.change(&|transaction| {
             transaction.execute(
                 "INSERT INTO star (player, pack, level, stars) VALUES (?1, ?2, ?3, ?4) \
                  ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars)",
@@ -83,7 +83,7 @@ impl Database {
         params: impl Params + Copy,
         read: impl Fn(&Row) -> rusqlite::Result<Option<T>>,
     ) -> Result<(Vec<T>, usize), String> {
-        self.look_up(|transaction| readable(transaction, sql, params, &read))
+        self.look_up(&|transaction| readable(transaction, sql, params, &read))
     }
 }
 

@@ -244,7 +244,7 @@ fn a_row_with_damaged_text_does_not_hide_the_others() {
         UPDATE star SET player = CAST(x'ff' AS TEXT) WHERE player = 'Bo';
         UPDATE bookmark SET chapter = CAST(x'ff' AS TEXT) WHERE chapter = 'a';
         UPDATE page_seen SET chapter = CAST(x'ff' AS TEXT) WHERE chapter = 'a';";
-    let damaged = database.change(|transaction| transaction.execute_batch(damage));
+    let damaged = database.change(&|transaction| transaction.execute_batch(damage));
     damaged.unwrap();
     assert_eq!(database.stars("Ada").unwrap(), [starred("b", 1)]);
     let marks = database.marks("Ada").unwrap();
@@ -878,7 +878,7 @@ fn a_read_only_database_can_be_read() {
         database.record(&attempt("Ada", 2)).unwrap();
         let before = (scratch.names(), fs::read(scratch.path()).unwrap());
         let mut connection = unchanged::open(&scratch.path(), true).unwrap();
-        let found = transact(&mut connection, TransactionBehavior::Deferred, |it| {
+        let found = transact(&mut connection, TransactionBehavior::Deferred, &|it| {
             tables::attempts(it, None)
         });
         assert_eq!(found.unwrap().0.len(), 2);
