@@ -2,7 +2,7 @@
 //! unchanged under another name.
 
 use std::fs::{self, File};
-use std::io::{self, Cursor, ErrorKind, Read, Seek, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use rusqlite::Connection;
@@ -114,7 +114,7 @@ fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, Databa
     // Closing the last connection moves the contents of the log into the database.
     let version = version_of_damaged(&Connection::open(damaged)?)?;
     let mut new = Connection::open(draft)?;
-    let mut saved = refilled(&mut new, version, File::open(damaged)?)?;
+    let mut saved = refilled(&mut new, version, &fs::read(damaged)?)?;
     if !saved.damaged.is_empty() {
         saved.copy = backup::fill_in(&new, folder, version, &saved.damaged)?;
     }
@@ -138,7 +138,7 @@ pub(super) fn mended_bytes(
     old.deserialize_read_exact("main", damaged, damaged.len(), true)?;
     let version = version_of_damaged(&old)?;
     let mut new = Connection::open_in_memory()?;
-    let saved = refilled(&mut new, version, Cursor::new(damaged))?;
+    let saved = refilled(&mut new, version, damaged)?;
     schema::prepare(&mut new)?;
     schema::check(&new)?;
     Ok((new, notice(&saved.reported(), kept, trouble)))
@@ -146,14 +146,10 @@ pub(super) fn mended_bytes(
 
 /// Creates the tables of this version in an empty database, and copies all readable rows of a
 /// damaged one.
-fn refilled(
-    new: &mut Connection,
-    version: i64,
-    damaged: impl Read + Seek,
-) -> Result<Saved, DatabaseError> {
+fn refilled(new: &mut Connection, version: i64, damaged: &[u8]) -> Result<Saved, DatabaseError> {
     schema::lay_out(new, version)?;
     let transaction = new.transaction()?;
-    let saved = salvage(&mut Pages::of(damaged)?, &transaction)?;
+    let saved = salvage(&mut Pages::of(damaged), &transaction)?;
     transaction.commit()?;
     Ok(saved)
 }

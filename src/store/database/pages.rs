@@ -5,8 +5,8 @@
 //! module are those of the Database File Format (<https://sqlite.org/fileformat.html>), sections
 //! 1.3 to 2.1.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashSet};
-use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::RangeInclusive;
 
 use rusqlite::types::ValueRef;
@@ -19,7 +19,7 @@ const FILE_HEADER: usize = 100;
 const UNUSED: usize = 32;
 /// The limit on the number of bytes that are read, as a multiple of the file's size. It keeps
 /// overlapping cells and merging chains from multiplying the work. An undamaged file is read twice.
-const READINGS: u64 = 16;
+const READINGS: usize = 16;
 
 /// The layout of the pages of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,41 +53,33 @@ pub(super) struct PageContents {
 }
 
 /// A database file.
-pub(super) struct Pages<F> {
-    file: F,
-    count: u32,
+pub(super) struct Pages<'f> {
+    file: &'f [u8],
     /// The number of bytes that may still be read.
-    left: u64,
+    left: usize,
 }
 
-struct Page {
-    bytes: Vec<u8>,
+struct Page<'f> {
+    bytes: Cow<'f, [u8]>,
     layout: PageLayout,
     is_bottom: bool,
     header: usize,
 }
 
-impl<F: Read + Seek> Pages<F> {
+impl<'f> Pages<'f> {
     /// The pages of a file. The last page may be truncated; its missing bytes are read as zeros.
-    ///
-    /// # Errors
-    /// If the size of the file cannot be determined.
-    pub(super) fn of(mut file: F) -> io::Result<Self> {
-        let bytes = file.seek(SeekFrom::End(0))?;
-        Ok(Self {
-            file,
-            count: u32::try_from(bytes.div_ceil(PAGE as u64)).unwrap_or(u32::MAX),
-            left: bytes.saturating_mul(READINGS).saturating_add(PAGE as u64),
-        })
+    pub(super) fn of(file: &'f [u8]) -> Self {
+        let left = file.len().saturating_mul(READINGS).saturating_add(PAGE);
+        Self { file, left }
     }
 
     pub(super) fn numbers(&self) -> RangeInclusive<u32> {
-        1..=self.count
+        1..=u32::try_from(self.file.len().div_ceil(PAGE)).unwrap_or(u32::MAX)
     }
 
     /// The size of all pages in bytes.
     pub(super) fn size(&self) -> usize {
-        PAGE.saturating_mul(self.count as usize)
+        self.file.len().next_multiple_of(PAGE)
     }
 
     /// The pages below a root, and the root itself.
@@ -169,7 +161,7 @@ impl<F: Read + Seek> Pages<F> {
         Some(record)
     }
 
-    fn page(&mut self, number: u32) -> Option<Page> {
+    fn page(&mut self, number: u32) -> Option<Page<'f>> {
         let bytes = self.bytes(number)?;
         let header = if number == 1 { FILE_HEADER } else { 0 };
         let (layout, is_bottom) = match bytes.get(header)? {
@@ -188,18 +180,17 @@ impl<F: Read + Seek> Pages<F> {
     }
 
     /// The bytes of a page; `None` if it cannot be read, or too much has been read already.
-    fn bytes(&mut self, number: u32) -> Option<Vec<u8>> {
-        if !self.numbers().contains(&number) {
-            return None;
-        }
-        self.left = self.left.checked_sub(PAGE as u64)?;
-        let start = u64::from(number - 1) * PAGE as u64;
-        self.file.seek(SeekFrom::Start(start)).ok()?;
-        let mut bytes = Vec::with_capacity(PAGE);
-        let file = self.file.by_ref();
-        file.take(PAGE as u64).read_to_end(&mut bytes).ok()?;
-        bytes.resize(PAGE, 0);
-        Some(bytes)
+    fn bytes(&mut self, number: u32) -> Option<Cow<'f, [u8]>> {
+        let bytes = self
+            .file
+            .chunks(PAGE)
+            .nth(number.checked_sub(1)? as usize)?;
+        self.left = self.left.checked_sub(PAGE)?;
+        let missing = vec![0; PAGE - bytes.len()];
+        Some(match missing.is_empty() {
+            true => bytes.into(),
+            false => [bytes, &missing].concat().into(),
+        })
     }
 }
 
@@ -213,7 +204,7 @@ struct Payload<'a> {
     next: u32,
 }
 
-impl Page {
+impl Page<'_> {
     /// The start of each cell; `None` if the stored position is impossible.
     fn starts(&self) -> impl Iterator<Item = Option<usize>> {
         let count = short_at(&self.bytes, self.header + 3).unwrap_or_default();
@@ -335,27 +326,7 @@ fn number_at(bytes: &[u8], place: usize) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
-    use std::cell::Cell;
-    use std::io::Cursor;
-
     use super::*;
-
-    /// A file that counts the bytes that are read from it.
-    struct Counted<'a>(Cursor<Vec<u8>>, &'a Cell<usize>);
-
-    impl Read for Counted<'_> {
-        fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
-            let read = self.0.read(to)?;
-            self.1.set(self.1.get() + read);
-            Ok(read)
-        }
-    }
-
-    impl Seek for Counted<'_> {
-        fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-            self.0.seek(to)
-        }
-    }
 
     /// The page has 1,200 cell pointers, which all lead to the same row. The row is nearly as long
     /// as the file, and the page on which it continues refers to itself.
@@ -375,16 +346,11 @@ mod tests {
         // 1,020 bytes of the row are on the cell's page; it continues on page 3.
         cell[1024..1028].copy_from_slice(&3_u32.to_be_bytes());
         bytes[next..next + 4].copy_from_slice(&3_u32.to_be_bytes());
-        let read = Cell::new(0);
-        let mut pages = Pages::of(Counted(Cursor::new(bytes), &read)).unwrap();
+        let mut pages = Pages::of(&bytes);
         let contents = pages.contents(2).unwrap();
         let whole = contents.cells.iter().filter(|it| it.record.is_some());
         assert!(whole.count() > 1);
-        assert!(
-            read.get() <= (READINGS as usize + 1) * pages.size(),
-            "{}",
-            read.get()
-        );
+        assert!(pages.left < PAGE, "{}", pages.left);
         assert!(pages.contents(4).is_none(), "nothing more may be read");
     }
 }

@@ -1,7 +1,6 @@
 //! Copies all readable rows of a damaged database into a new one.
 
 use std::collections::{BTreeSet, HashMap};
-use std::io::{Read, Seek};
 
 use rusqlite::types::{ToSqlOutput, ValueRef};
 use rusqlite::{Connection, ErrorCode, params_from_iter};
@@ -42,10 +41,7 @@ struct SalvagedTable {
 }
 
 /// Copies all readable rows from the pages of a damaged database into the tables of `new`.
-pub(super) fn salvage<F: Read + Seek>(
-    pages: &mut Pages<F>,
-    new: &Connection,
-) -> rusqlite::Result<Saved> {
+pub(super) fn salvage(pages: &mut Pages, new: &Connection) -> rusqlite::Result<Saved> {
     let roots = roots(pages);
     let mut tree = |name: &str, layout| match roots.get(name) {
         Some(root) => pages.tree(*root, layout),
@@ -87,8 +83,8 @@ pub(super) fn salvage<F: Read + Seek>(
 }
 
 /// Copies the rows on pages that no tree leads to any more, if only one table can have lost them.
-fn take_cut_off<F: Read + Seek>(
-    pages: &mut Pages<F>,
+fn take_cut_off(
+    pages: &mut Pages,
     tables: &mut [SalvagedTable],
     list: &Tree,
     new: &Connection,
@@ -117,7 +113,7 @@ fn take_cut_off<F: Read + Seek>(
 }
 
 /// The first page of each table and index, by their names.
-fn roots<F: Read + Seek>(pages: &mut Pages<F>) -> HashMap<String, u32> {
+fn roots(pages: &mut Pages) -> HashMap<String, u32> {
     let mut roots = HashMap::new();
     for number in pages.tree(1, PageLayout::Table).pages {
         let cells = pages.contents(number).map(|it| it.cells);
@@ -229,10 +225,10 @@ impl Columns {
 impl Saved {
     /// Counts the lost answers: those that are only in the list, and, if part of the list cannot be
     /// read either, all missing ids up to the largest known one.
-    fn count_lost_answers<F: Read + Seek>(
+    fn count_lost_answers(
         &mut self,
         list: &Tree,
-        pages: &mut Pages<F>,
+        pages: &mut Pages,
         new: &Connection,
     ) -> rusqlite::Result<()> {
         let mut saved = new.prepare("SELECT id FROM attempt")?;
