@@ -49,13 +49,13 @@ pub(crate) struct GlobalOptions {
     player: Option<String>,
     /// Folder with your own levels, added to the built-in ones; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
-    levels: Vec<PathBuf>,
+    pub(super) levels: Vec<PathBuf>,
     /// Folder with your own chapters, added to the built-in ones; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
-    lessons: Vec<PathBuf>,
+    pub(super) lessons: Vec<PathBuf>,
     /// Folder with your own questions in words, asked in separate rounds; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
-    concepts: Vec<PathBuf>,
+    pub(super) concepts: Vec<PathBuf>,
     /// Folder for carrom's data, such as saved games and every answer (default: the
     /// system's folder for application data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -196,12 +196,7 @@ impl GlobalOptions {
         Ok(Arc::new(own))
     }
 
-    /// The given folders with levels, chapters and written questions.
-    pub(super) fn own_folders(&self) -> [&[PathBuf]; 3] {
-        [&self.levels, &self.lessons, &self.concepts]
-    }
-
-    /// The errors in their files.
+    /// The errors in the files of the given folders.
     pub(super) fn problems(&self) -> Vec<FileError> {
         [
             self.shelf().library().problems.as_slice(),

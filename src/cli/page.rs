@@ -59,7 +59,7 @@ fn round(text: &str) -> Result<Code, String> {
 
 /// The files in the given folders, under the paths that a page uses for them; or the errors in them.
 pub(super) fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, String> {
-    let folders = options.own_folders();
+    let folders = [&options.levels, &options.lessons, &options.concepts];
     if folders.iter().all(|it| it.is_empty()) {
         return Ok(Vec::new());
     }
@@ -67,22 +67,22 @@ pub(super) fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, String>
     if !problems.is_empty() {
         return Err(problems.join("\n"));
     }
-    add_all(folders).map_err(|error| error.to_string())
+    add_all(options).map_err(|error| error.to_string())
 }
 
-fn add_all([levels, lessons, concepts]: [&[PathBuf]; 3]) -> Result<Vec<OwnFile>, FileError> {
+fn add_all(options: &GlobalOptions) -> Result<Vec<OwnFile>, FileError> {
     let mut own = Vec::new();
-    for folder in levels {
+    for folder in &options.levels {
         let mut packs = add(&mut own, folder, "toml", &pack(folder))?;
         packs.sort_by_key(|inner| pack_order(inner));
         for inner in packs {
             add(&mut own, &inner, "toml", &pack(&inner))?;
         }
     }
-    for folder in lessons {
+    for folder in &options.lessons {
         add(&mut own, folder, "md", "lessons")?;
     }
-    for folder in concepts {
+    for folder in &options.concepts {
         add(&mut own, folder, "toml", "concepts")?;
     }
     Ok(own)
