@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use carrom::app::App;
-use carrom::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, Foil, METALS, Sampler, ScatteringLaw};
+use carrom::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, METALS, Sampler, ScatteringLaw};
 use carrom::physics::beam::Beam;
 use carrom::physics::rutherford::RADIUM_C_ENERGY;
 use carrom::screens::{FoilPage, Route, Settings};
@@ -27,12 +27,8 @@ fn main() {
         target: BeamTarget::Hard,
         beam: Beam::Space,
     };
-    let foil = Foil {
-        metal: METALS[0],
-        thickness: 2.1e-7,
-    };
     let gold = ScatteringLaw {
-        target: foil.target(RADIUM_C_ENERGY),
+        target: METALS[0].foil(2.1e-7, RADIUM_C_ENERGY),
         beam: Beam::Space,
     };
     compare("hard spheres", &spheres);

@@ -37,28 +37,15 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
     }
 }
 
-/// A foil.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Foil {
-    /// The metal of the foil.
-    pub metal: Metal,
-    /// The thickness of the foil in metres, above 0.
-    pub thickness: f64,
-}
-
-impl Foil {
-    /// Atoms per square metre of the foil.
-    pub(crate) fn atoms_per_area(&self) -> f64 {
-        self.metal.density * self.thickness
-    }
-
-    /// The scattering of α-particles of `energy` joules in the foil, each by at most one nucleus.
-    /// With n atoms per cubic metre and a thickness t, the part of the beam that belongs to one
-    /// nucleus has the area 1/(n t), so b goes up to 1/√(πnt).
-    pub fn target(&self, energy: f64) -> BeamTarget {
+impl Metal {
+    /// The scattering of α-particles of `energy` joules in a foil of this metal, each by at most
+    /// one nucleus. The foil is `thickness` metres thick, which is above 0. With n atoms per cubic
+    /// metre and a thickness t, the part of the beam that belongs to one nucleus has the area
+    /// 1/(n t), so b goes up to 1/√(πnt).
+    pub fn foil(&self, thickness: f64, energy: f64) -> BeamTarget {
         BeamTarget::Coulomb {
-            scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),
-            half_width: 1.0 / (PI * self.atoms_per_area()).sqrt(),
+            scatterer: Rutherford::new(ALPHA_CHARGE, self.charge, energy),
+            half_width: 1.0 / (PI * (self.density * thickness)).sqrt(),
         }
     }
 }

@@ -1,20 +1,5 @@
 //! The counts of Geiger and Marsden.
 
-use thiserror::Error;
-
-use crate::files::{NumberSpec, quoted};
-
-/// H. Geiger and E. Marsden, Phil. Mag. 25 (1913) 604, Table II, first series.
-const TABLE: &str = include_str!("../../assets/geiger-marsden-1913.csv");
-
-/// The columns of a table of counts.
-const HEADER: &str = "angle_deg,silver_count,gold_count";
-
-/// The range of an angle, in degrees.
-const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
-/// The range of a count.
-const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
-
 /// Counts at one angle. Counts are relative: only those for the same metal can be compared with
 /// each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,82 +12,36 @@ pub struct Angle {
     pub gold: f64,
 }
 
+/// The counts of 1913, from the largest angle to the smallest: H. Geiger and E. Marsden, Phil. Mag.
+/// 25 (1913) 604, Table II, first series. The second series, at smaller angles, has another
+/// arbitrary scale, so it must not be joined to this one.
+pub const GEIGER_MARSDEN: [Angle; 11] = [
+    counts(150.0, 22.2, 33.1),
+    counts(135.0, 27.4, 43.0),
+    counts(120.0, 33.0, 51.9),
+    counts(105.0, 47.3, 69.5),
+    counts(75.0, 136.0, 211.0),
+    counts(60.0, 320.0, 477.0),
+    counts(45.0, 989.0, 1435.0),
+    counts(37.5, 1760.0, 3300.0),
+    counts(30.0, 5260.0, 7800.0),
+    counts(22.5, 20_300.0, 27_300.0),
+    counts(15.0, 105_400.0, 132_000.0),
+];
+
+const fn counts(angle_deg: f64, silver: f64, gold: f64) -> Angle {
+    Angle {
+        angle: angle_deg.to_radians(),
+        silver,
+        gold,
+    }
+}
+
 impl Angle {
     /// 1/sin⁴(φ/2), to which the counts should be proportional.
     pub fn law(&self) -> f64 {
         (self.angle / 2.0).sin().powi(-4)
     }
-}
-
-/// An error in a table of counts.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{line}: {what}")]
-pub struct CountsFault {
-    /// The line number, from 1; one more than the last if the table ends too early.
-    pub line: usize,
-    /// The error.
-    pub what: String,
-}
-
-/// The counts of 1913, from the largest angle to the smallest.
-///
-/// # Errors
-/// Returns an error only if the built-in table is damaged.
-pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
-    read(TABLE)
-}
-
-/// Reads a table of counts: comma-separated values under the heading
-/// `angle_deg,silver_count,gold_count`; a line that begins with `#` is a comment. Angles are from
-/// 0.1 to 180, each smaller than the previous one; counts are from 0.1 to 10¹².
-///
-/// # Errors
-/// Returns the first error in the table.
-pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
-    let mut lines = table
-        .lines()
-        .enumerate()
-        .map(|(i, line)| (i + 1, line.trim()))
-        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let end = table.lines().count() + 1;
-    let fault = |line, what| Err(CountsFault { line, what });
-    match lines.next() {
-        Some((_, HEADER)) => {}
-        Some((line, other)) => {
-            return fault(line, format!("expected {HEADER}, found {}", quoted(other)));
-        }
-        None => return fault(end, format!("expected {HEADER}, found nothing")),
-    }
-    let mut angles: Vec<Angle> = Vec::new();
-    for (line, text) in lines {
-        let fields: Vec<&str> = text.split(',').collect();
-        let [angle_deg, silver, gold] = fields[..] else {
-            return fault(line, format!("expected 3 values, found {}", fields.len()));
-        };
-        let read = |name, text: &str, spec: &NumberSpec| {
-            let value = text.trim().parse().ok();
-            value.filter(|value| spec.allows(*value)).ok_or_else(|| {
-                let what = format!("{name}: expected {spec}, found {}", quoted(text.trim()));
-                CountsFault { line, what }
-            })
-        };
-        let next = Angle {
-            angle: read("angle_deg", angle_deg, &DEGREES)?.to_radians(),
-            silver: read("silver_count", silver, &COUNT)?,
-            gold: read("gold_count", gold, &COUNT)?,
-        };
-        if angles.last().is_some_and(|last| last.angle <= next.angle) {
-            return fault(
-                line,
-                "angle_deg: expected a smaller angle than on the previous line".into(),
-            );
-        }
-        angles.push(next);
-    }
-    if angles.is_empty() {
-        return fault(end, "expected counts, found nothing".into());
-    }
-    Ok(angles)
 }
 
 /// The counts for one metal compared with the law, which determines the ratios of the counts but
@@ -116,17 +55,16 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of one metal; `of` returns its count at an angle. `None` if there are no angles.
-    pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
-        let points: Vec<_> = angles
-            .iter()
-            .map(|angle| (angle.angle, angle.law(), of(angle)))
-            .collect();
+    /// The series of one metal; `of` returns its count at an angle.
+    pub fn new(of: impl Fn(&Angle) -> f64) -> Self {
+        let points = GEIGER_MARSDEN.iter();
+        let points = points.map(|angle| (angle.angle, angle.law(), of(angle)));
+        let points: Vec<_> = points.collect();
         let level: f64 = points.iter().map(|(_, law, count)| count / law).sum();
-        (!points.is_empty()).then(|| Self {
+        Self {
             scale: level / points.len() as f64,
             points,
-        })
+        }
     }
 
     /// The relative deviation of a count from the law, positive if the count is above the law.

@@ -14,8 +14,7 @@ mod sampler;
 mod tests;
 
 pub use counts::{BIN_WIDTH, BINS, CountedFor, Counts};
-pub(crate) use foil::Metal;
-pub use foil::{Foil, METALS};
+pub use foil::{METALS, Metal};
 pub use law::{BeamTarget, ScatteringLaw};
-pub use measured::{Angle, CountsFault, Series, geiger_marsden, read};
+pub use measured::{Angle, GEIGER_MARSDEN, Series};
 pub use sampler::Sampler;

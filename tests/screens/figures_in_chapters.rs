@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use carrom::beams::{
-    BIN_WIDTH, BeamTarget, CountedFor, Counts, Foil, METALS, ScatteringLaw, Series, geiger_marsden,
+    BIN_WIDTH, BeamTarget, CountedFor, Counts, GEIGER_MARSDEN, METALS, ScatteringLaw, Series,
 };
 use carrom::physics::beam::Beam;
 use carrom::physics::rutherford::{
@@ -111,12 +111,8 @@ fn energy_share(outcome: &CollisionOutcome, mass_g: f64, speed: f64) -> f64 {
 
 /// α-particles of this energy, in J, on a gold foil of this thickness, in m.
 fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
-    let foil = Foil {
-        metal: METALS[0],
-        thickness,
-    };
     ScatteringLaw {
-        target: foil.target(energy),
+        target: METALS[0].foil(thickness, energy),
         beam: Beam::Space,
     }
 }
@@ -318,9 +314,8 @@ fn claims() -> Vec<Claim> {
         at_60(thicker),
     );
     // The counts of 1913.
-    let angles = geiger_marsden().unwrap();
-    let (most, least) = (angles.last().unwrap(), angles[0]);
-    let (low, high) = Series::new(&angles, |angle| angle.gold).unwrap().band();
+    let [least, .., most] = GEIGER_MARSDEN;
+    let (low, high) = Series::new(|angle| angle.gold).band();
     claim(
         10,
         "at angles Θ from [15]° to 150°",
@@ -336,7 +331,7 @@ fn claims() -> Vec<Claim> {
     claim(10, "falls by a factor of [4000]", most.gold / least.gold);
     claim(10, "from its mean by only [−15] % to +23 %", 100.0 * low);
     claim(10, "from its mean by only −15 % to +[23] %", 100.0 * high);
-    let (low, high) = Series::new(&angles, |angle| angle.silver).unwrap().band();
+    let (low, high) = Series::new(|angle| angle.silver).band();
     claim(10, "the range is [−15] % to +41 %", 100.0 * low);
     claim(10, "the range is −15 % to +[41] %", 100.0 * high);
     // Shares of the thin foil.

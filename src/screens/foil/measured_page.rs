@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::setup::FoilSetup;
 use super::{FoilAction, words};
-use crate::beams::{Angle, Series, geiger_marsden};
+use crate::beams::{Angle, Series};
 use crate::physics::rutherford::{GOLD_DENSITY, MEASURED_SHARE, Rutherford};
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
@@ -53,12 +53,6 @@ pub(super) fn title(levelled: bool) -> &'static str {
     }
 }
 
-/// The two series, or the reason why they cannot be read.
-fn series() -> Result<[Option<Series>; 2], String> {
-    let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
-    Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
-}
-
 /// The counts against 1/sin⁴(Θ/2), or their deviation from the law.
 pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(Θ/2), small Θ right", 1.0, 5000.0);
@@ -68,11 +62,8 @@ pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     };
     let mut plot = Plot::new(area, look, law, count);
     let draw = if levelled { levels } else { counts };
-    let series = series().into_iter().flatten();
-    for (metal, series) in METALS.iter().zip(series) {
-        if let Some(series) = series {
-            draw(&mut plot, look, metal, &series);
-        }
+    for metal in &METALS {
+        draw(&mut plot, look, metal, &Series::new(metal.count));
     }
     plot.picture()
 }
@@ -132,11 +123,7 @@ fn signed(share: f64) -> String {
 
 /// Writes the text beside the picture.
 pub(super) fn write(panel: &mut Panel<FoilAction>) {
-    let [gold, silver] = match series() {
-        Ok([Some(gold), Some(silver)]) => [gold, silver],
-        Ok(_) => return,
-        Err(fault) => return panel.paragraph(fault, Role::Warn),
-    };
+    let [gold, silver] = METALS.map(|metal| Series::new(metal.count));
     let text = "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of \
                 single α-particles on a screen, at one angle Θ after another.";
     panel.paragraph(text, Role::Text);
@@ -209,7 +196,7 @@ mod tests {
 
     #[test]
     fn the_range_is_written_with_signs() {
-        let [gold, silver] = series().unwrap().map(Option::unwrap);
+        let [gold, silver] = METALS.map(|metal| Series::new(metal.count));
         let said = |series: &Series| {
             let (low, high) = series.band();
             (signed(low), signed(high))

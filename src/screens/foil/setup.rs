@@ -1,6 +1,6 @@
 //! The settings of the foil: beam, target and counting.
 
-use crate::beams::{BeamTarget, CountedFor, Foil, METALS, Metal, ScatteringLaw};
+use crate::beams::{BeamTarget, CountedFor, METALS, Metal, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
@@ -65,14 +65,11 @@ impl FoilSetup {
 
     /// The scattering law for a beam.
     pub(crate) fn law(&self) -> ScatteringLaw {
-        let foil = Foil {
-            metal: self.metal(),
-            thickness: self.thickness_um * 1e-6,
-        };
+        let (thickness, energy) = (self.thickness_um * 1e-6, self.energy_mev * MEV);
         ScatteringLaw {
             target: match self.obstacle {
                 Obstacle::Hard => BeamTarget::Hard,
-                Obstacle::Nucleus => foil.target(self.energy_mev * MEV),
+                Obstacle::Nucleus => self.metal().foil(thickness, energy),
             },
             beam: self.beam,
         }
