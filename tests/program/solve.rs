@@ -253,6 +253,7 @@ fn the_command_line_lists_the_values_that_it_assumes() {
     let plain = words(&printed(&[&args[..], &["--plain"]].concat()));
     assert!(plain.contains("Assumed: m1 equals 15 grams"), "{plain}");
     let json = printed(&[&args[..], &["--json", "--m1-g", "15", "--u2", "0,0"]].concat());
+    assert!(json.ends_with("}\n"), "{json}");
     let json: Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["assumed"][0], "m2 = 15 g");
     assert_eq!(json["assumed"][1], "u1 = 4 m/s");

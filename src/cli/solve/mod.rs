@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, GlobalOptions, write_json};
+use super::{Failure, GlobalOptions, write_json_line};
 use crate::physics::worked::{self, WorkedStep};
 use crate::shells::plain::{self, Leave, Talk};
 use answer::SolveAnswer;
@@ -73,7 +73,7 @@ impl Args {
     fn answer(&self, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
         if self.json {
             let mut line = Vec::new();
-            write_json(&mut line, &SolveAnswer::of(self.solvable()?))?;
+            write_json_line(&mut line, &SolveAnswer::of(self.solvable()?))?;
             return Ok(line);
         }
         Ok(text::render(&self.steps()?, options.printed()).into_bytes())
