@@ -12,12 +12,18 @@ type ReadBytes<T> = fn(&str, &[u8]) -> Result<T, FileErrors>;
 /// Reads a file; `-` is standard input. `read` receives the file's name, for messages, and at most
 /// `most` + 1 of its bytes.
 pub(super) fn read<T>(path: &Path, most: usize, read: ReadBytes<T>) -> Result<T, Failure> {
+    let (name, bytes) = named_bytes(path, most)?;
+    read(&name, &bytes).map_err(Failure::input)
+}
+
+/// The name of a file, for messages, and at most `most` + 1 of its bytes; `-` is standard input.
+pub(super) fn named_bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>), Failure> {
     let bytes = files::read_given(path, most).map_err(Failure::input)?;
     let name = match path.as_os_str() == "-" {
         true => files::STDIN.to_owned(),
         false => path.display().to_string(),
     };
-    read(&name, &bytes).map_err(Failure::input)
+    Ok((name, bytes))
 }
 
 /// Reads a file in the data folder; the default if there is no such file.

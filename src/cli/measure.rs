@@ -6,8 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
 
 use super::written::{NamedFile, named_file, write_named_beside};
-use super::{Failure, GlobalOptions, print_json, print_text};
-use crate::files;
+use super::{Failure, GlobalOptions, given, print_json, print_text};
 use crate::measure::{Given, LARGEST, Measurement, Reading, SlowingDown, read};
 use crate::paper::measured_html;
 use crate::physics::units::{kg_from_g, m_from_mm};
@@ -95,15 +94,13 @@ fn slowing() -> impl TypedValueParser<Value = SlowingDown> {
 
 impl Args {
     pub(super) fn measurement(&self) -> Result<Measurement, Failure> {
-        let mut contents = Vec::new();
-        for path in &self.files {
-            let bytes = files::read_given(path, LARGEST).map_err(Failure::input)?;
-            contents.push((path.display().to_string(), bytes));
-        }
-        let named: Vec<_> = contents
+        let files = self.files.iter();
+        let contents = files.map(|path| given::named_bytes(path, LARGEST));
+        let contents: Vec<_> = contents.collect::<Result<_, _>>()?;
+        let named = contents
             .iter()
-            .map(|(name, bytes)| (name.as_str(), &bytes[..]))
-            .collect();
+            .map(|(name, bytes)| (name.as_str(), &bytes[..]));
+        let named: Vec<_> = named.collect();
         let reading = Reading {
             columns: self.columns.clone(),
             scale: self.scale,

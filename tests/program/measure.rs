@@ -162,6 +162,7 @@ fn faulty_tracks_are_refused_with_a_clear_message() {
     }
     for (arguments, expected) in [
         ("measure nothing.txt", "nothing.txt: cannot be read"),
+        ("measure -", "standard input:1: expected rows of a time"),
         ("measure measured/careless.csv", "expected --scale"),
         ("measure measured/pucks.txt --m1-g 30", "--m2-g"),
         (
