@@ -211,6 +211,11 @@ impl Collision {
             .then(|| outcome.friction_impulse.atan2(outcome.impulse))
     }
 
+    /// Whether the discs move on as one body: they stick, and do not just graze each other.
+    pub(crate) fn coalesces(&self) -> bool {
+        self.bond == Bond::Stick && self.outcome().meeting == Meeting::Hit
+    }
+
     /// Velocity of the striker relative to the target, w = u₁ − u₂, in m/s.
     pub fn relative_velocity(&self) -> DVec2 {
         self.u1 - self.u2

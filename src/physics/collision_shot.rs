@@ -1,7 +1,7 @@
 //! The record of a [`Collision`] as a shot on a frictionless open sheet.
 
 use super::engine::{Limits, check, play};
-use super::{Board, Bond, Collision, Motion, Shot};
+use super::{Board, Collision, Motion, Shot};
 
 impl Collision {
     /// The two discs as a shot that starts `lead` seconds before the contact (or the closest
@@ -15,8 +15,8 @@ impl Collision {
         let discs = [self.striker, self.target];
         let start = [Motion::new(p1, self.u1), Motion::new(p2, self.u2)];
         let limits = Limits::until(duration);
-        match self.bond {
-            Bond::Slip => {
+        match self.coalesces() {
+            false => {
                 let mut shot = play(&Board::open(self.restitution), &discs, &start, limits).ok()?;
                 let outcome = self.outcome();
                 if outcome.friction_impulse != 0.0 {
@@ -24,7 +24,7 @@ impl Collision {
                 }
                 Some(shot)
             }
-            Bond::Stick => {
+            true => {
                 let board = Board::open(0.0);
                 check(&board, &discs, &start, limits).ok()?;
                 let ends = duration.is_finite();
@@ -39,7 +39,7 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
-    use crate::physics::{Disc, EventKind};
+    use crate::physics::{Bond, Disc, EventKind};
 
     fn glancing(bond: Bond) -> Collision {
         let (striker, target) = (Disc::from_g_mm(20.0, 12.0), Disc::from_g_mm(40.0, 15.0));
@@ -84,6 +84,24 @@ mod tests {
             .position
             .distance(shot.at(1, 0.05).position);
         assert!((apart - collision.contact_distance()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn discs_that_only_graze_each_other_never_stick() {
+        for (r1, r2) in [(15.0, 15.0), (20.65, 15.9), (12.4, 15.6), (10.0, 7.1)] {
+            let (striker, target) = (Disc::from_g_mm(15.0, r1), Disc::from_g_mm(5.5, r2));
+            for side in [-1.0, 1.0] {
+                let offset = side * (striker.radius + target.radius);
+                let collision = Collision {
+                    bond: Bond::Stick,
+                    ..Collision::at_offset(striker, target, DVec2::new(4.0, 0.0), offset)
+                };
+                let shot = collision.shot(0.01, 0.05).unwrap();
+                let after = [0, 1].map(|disc| shot.at(disc, 0.05).velocity);
+                assert!(after[0].abs_diff_eq(collision.u1, 1e-6), "{after:?}");
+                assert!(after[1].length() < 1e-6, "{after:?}");
+            }
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::{Lab, LabAction, LabPhase, notebook};
 use crate::lessons::FigureKind;
-use crate::physics::{Bond, Frame, Meeting};
+use crate::physics::{Bond, Frame};
 use crate::quiz::Rays;
 use crate::screens::{Context, View};
 use crate::widgets::curves::curves_picture;
@@ -216,7 +216,7 @@ fn given<A>(lab: &Lab, panel: &mut Panel<A>) {
 
 fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
     let outcome = watch.outcome();
-    let sticks = watch.collision().bond == Bond::Stick && outcome.meeting == Meeting::Hit;
+    let sticks = watch.collision().coalesces();
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match &watch.said {
         Some(said) => {
@@ -263,8 +263,7 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
         panel.fact("deflection Θ", turned);
     }
     panel.gap();
-    let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
-    let text = if !sticks {
+    let text = if !collision.coalesces() {
         "Here the discs always move in opposite directions: the total momentum is zero. Add V to \
          both for the laboratory frame."
             .into()
@@ -286,20 +285,20 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
 fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
     let seen = Frame::Target.view(watch.collision()).outcome();
     let apart = |angle: f64| format!("{:.1}°", angle.to_degrees());
-    let (name, value, text) = match (watch.collision().bond, seen.meeting) {
-        (Bond::Stick, Meeting::Hit) => (
+    let (name, value, text) = match watch.collision().rims.friction > 0.0 {
+        _ if watch.collision().coalesces() => (
             "V here",
             format!("{:.2} m/s", seen.v1.length()),
             "Here the coin is at rest at first. The centre of mass moves at V throughout; stuck \
              together, the two can only rotate about it.",
         ),
-        _ if watch.collision().rims.friction > 0.0 => (
+        true => (
             "separation here",
             seen.separation.map_or("none".into(), apart),
             "Here the coin is at rest before the collision. With smooth rims, equal masses and \
              e = 1 the paths would be at 90° in this frame; friction changes that angle.",
         ),
-        _ => (
+        false => (
             "separation here",
             seen.separation.map_or("none".into(), apart),
             "Here the coin is at rest before the collision, so the rules for a coin at rest hold: \

@@ -82,7 +82,7 @@ impl Watch {
     /// The text of a step. The last step has no text here, because every screen explains that step
     /// differently.
     pub(super) fn step_words(&self, step: ExplanationStep) -> String {
-        let sticks = self.collision.bond == Bond::Stick;
+        let sticks = self.collision.coalesces();
         match step {
             ExplanationStep::Contact if self.outcome.meeting == Meeting::Graze => {
                 "A graze: the rims only just touch, and no force acts.".into()

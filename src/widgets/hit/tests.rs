@@ -6,6 +6,7 @@ use ratatui::layout::{Position, Rect};
 use ratatui::style::Color;
 use roxmltree::Document;
 
+use super::explanation_step::ExplanationStep;
 use super::*;
 use crate::physics::{Bond, Collision, Disc, Frame};
 use crate::quiz::{AimTask, Ray};
@@ -159,6 +160,23 @@ fn a_shot_to_set_up_shows_its_angle_and_a_scale_in_true_size() {
             }
         }
     }
+}
+
+#[test]
+fn discs_that_graze_each_other_are_shown_as_two_even_if_their_rims_stick() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let smooth = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.03);
+    let sticky = Collision {
+        bond: Bond::Stick,
+        ..smooth
+    };
+    for frame in [Frame::Laboratory, Frame::CentreOfMass] {
+        let [one, two] = [smooth, sticky].map(|it| Watch::revealed(it).seen_from(frame));
+        assert_eq!(labels(&one.picture(AREA)), labels(&two.picture(AREA)));
+    }
+    let line = ExplanationStep::Line;
+    let [one, two] = [smooth, sticky].map(|it| Watch::revealed(it).step_words(line));
+    assert_eq!(one, two);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use crate::numbers::{fixed, true_minus};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::physics::{Bond, Collision, Meeting};
+use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
@@ -43,9 +43,8 @@ pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Pa
 
 /// Writes the angle between the paths, or "none" if there are not two paths.
 pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
-    let outcome = collision.outcome();
-    let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
-    let apart = outcome.separation.filter(|_| !sticks);
+    let apart = collision.outcome().separation;
+    let apart = apart.filter(|_| !collision.coalesces());
     let separation = apart.map_or("none".into(), |angle| {
         format!("{:.1}°", deg_from_rad(angle))
     });

@@ -1,7 +1,7 @@
 //! Predicted directions next to the true directions.
 
 use crate::numbers;
-use crate::physics::{Bond, Collision, Meeting};
+use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, brief, input::degrees};
@@ -16,17 +16,16 @@ pub(crate) fn said_and_true<A>(
     errors: bool,
     panel: &mut Panel<A>,
 ) {
-    let outcome = collision.outcome();
-    let true_rays = Rays::from(&outcome);
+    let true_rays = Rays::from(&collision.outcome());
     let [said_deg, true_deg] = [said, &true_rays].map(|rays| degrees(collision, rays));
     let off = Ray::BOTH.map(|ray| {
         let apart = said.apart(&true_rays, ray);
         apart.map_or("-".into(), numbers::bare_degrees)
     });
     // For a pair that moves on together, the true path is that of the centre of mass.
-    let truth = match (collision.bond, outcome.meeting) {
-        (Bond::Stick, Meeting::Hit) => "V",
-        _ => "truth",
+    let truth = match collision.coalesces() {
+        true => "V",
+        false => "truth",
     };
     let dim = |text: &str| (text.to_owned(), Role::Dim);
     let mut heads = vec![dim(if errors { "you" } else { "you said" }), dim(truth)];

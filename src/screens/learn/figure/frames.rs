@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use super::FigureArea;
-use crate::physics::{Bond, Collision, Frame};
+use crate::physics::{Collision, Frame};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Role, areas};
@@ -51,10 +51,10 @@ pub(super) fn lay_out(watches: &[Watch], figure: FigureArea) -> Vec<Picture> {
 fn revealed(collision: &Collision) -> [String; 2] {
     let speed = collision.centre_of_mass_velocity().length();
     let angle = collision.cm_deflection();
-    let turn = match (angle, collision.bond) {
-        (Some(_), Bond::Stick) => "they coalesce".into(),
-        (Some(angle), Bond::Slip) => format!("Θ = {:.1}°", angle.to_degrees().abs()),
-        (None, _) => "Θ: none".into(),
+    let turn = match angle {
+        Some(_) if collision.coalesces() => "they coalesce".into(),
+        Some(angle) => format!("Θ = {:.1}°", angle.to_degrees().abs()),
+        None => "Θ: none".into(),
     };
     [format!("V = {speed:.2} m/s"), turn]
 }

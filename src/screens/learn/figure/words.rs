@@ -11,7 +11,7 @@ use crate::physics::beam::Beam;
 use crate::physics::impact::kinetic_energy;
 use crate::physics::units::{g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{
-    Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
+    Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, worked,
 };
 
 /// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`;
@@ -323,7 +323,7 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
          and {u2} m/s from opposite sides, and"
     );
     let mut lines = result(collision);
-    if collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit {
+    if collision.coalesces() {
         lines.push(format!("{came} stay together."));
         return lines;
     }

@@ -12,7 +12,7 @@ use super::explanation_step::ExplanationStep;
 use super::names::VelocityNames;
 use super::sketch::{ArrowScale, Root, Sketch};
 use super::{HitLayout, Overlay, Watch};
-use crate::physics::{Bond, Frame};
+use crate::physics::Frame;
 use crate::widgets::Role;
 use crate::widgets::picture::{self, Pen, Picture};
 
@@ -52,7 +52,7 @@ impl Moment<'_> {
 
     /// Whether the discs move on as one body.
     fn sticks(&self) -> bool {
-        self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
+        self.stage.collision.coalesces()
     }
 
     /// The velocities before the contact, in the chosen frame.
