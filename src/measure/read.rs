@@ -43,7 +43,10 @@ pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], Fi
     let mut tracks = Vec::new();
     let mut last = "";
     for (name, bytes) in files {
-        let found = one_file(name, bytes, reading)?;
+        let source = Source::of_bytes(name, bytes, LARGEST)?;
+        let opening = opening(&source)?;
+        let table = table(name, &opening, reading)?;
+        let found = rows(source, &opening, &table)?;
         if files.len() > 1 && found.len() != 1 {
             let message = format!(
                 "expected one track in each of two files, found {}",
@@ -54,28 +57,27 @@ pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], Fi
         tracks.extend(found);
         last = name;
     }
-    let names: Vec<_> = tracks.iter().map(|track| track.name.clone()).collect();
-    let message = match <[Track; 2]>::try_from(tracks) {
-        Ok(mut two) => {
-            if two[0].name == two[1].name {
-                two[0].name = "body 1".into();
-                two[1].name = "body 2".into();
-            }
-            return Ok(two);
-        }
-        Err(_) if names.len() < 2 => format!(
-            "expected two bodies, found only {}: give the file of the other body too, or export \
-             both tracks together",
-            names.first().map_or("one", String::as_str)
-        ),
-        Err(_) => format!(
-            "expected two bodies, found {} ({}): choose two with --columns, by the numbers of the \
-             columns, such as 1,2,3,4,5",
-            names.len(),
-            names.join(", ")
-        ),
-    };
-    Err(FileError::of_file(last, message).into())
+    let mut two = <[Track; 2]>::try_from(tracks).map_err(|tracks| {
+        let names: Vec<_> = tracks.iter().map(|track| track.name.as_str()).collect();
+        let message = match names.len() {
+            ..2 => format!(
+                "expected two bodies, found only {}: give the file of the other body too, or \
+                 export both tracks together",
+                names.first().unwrap_or(&"one")
+            ),
+            count => format!(
+                "expected two bodies, found {count} ({}): choose two with --columns, by the \
+                 numbers of the columns, such as 1,2,3,4,5",
+                names.join(", ")
+            ),
+        };
+        FileError::of_file(last, message)
+    })?;
+    if two[0].name == two[1].name {
+        two[0].name = "body 1".into();
+        two[1].name = "body 2".into();
+    }
+    Ok(two)
 }
 
 /// What a column contains.
@@ -97,13 +99,10 @@ struct Column {
 impl Column {
     /// The number and the heading of this column, for a message.
     fn place(&self) -> String {
+        let (number, head) = (self.index + 1, short_name(&self.head, LONGEST_NAME));
         match self.head.is_empty() {
-            true => format!("column {}", self.index + 1),
-            false => format!(
-                "column {} ({})",
-                self.index + 1,
-                short_name(&self.head, LONGEST_NAME)
-            ),
+            true => format!("column {number}"),
+            false => format!("column {number} ({head})"),
         }
     }
 }
@@ -124,13 +123,6 @@ struct TableHead<'a> {
     line: usize,
     /// The number of lines before the first row.
     skipped: usize,
-}
-
-fn one_file(name: &str, bytes: &[u8], reading: &Reading) -> Result<Vec<Track>, FileErrors> {
-    let source = Source::of_bytes(name, bytes, LARGEST)?;
-    let opening = opening(&source)?;
-    let table = table(name, &opening, reading)?;
-    rows(source, &opening, &table)
 }
 
 fn is_comment(line: &str) -> bool {
@@ -173,10 +165,8 @@ fn opening<'a>(source: &Source<'a>) -> Result<TableHead<'a>, FileError> {
 /// The separator that makes a line a row of at least three numbers; `None` if none does.
 fn separator(line: &str) -> Option<u8> {
     b"\t;, ".iter().copied().find(|&separator| {
-        let numbers = fields(line, separator)
-            .into_iter()
-            .filter(|field| number(field).is_some());
-        numbers.count() >= 3
+        let fields = fields(line, separator);
+        fields.iter().filter_map(|field| number(field)).count() >= 3
     })
 }
 
@@ -221,10 +211,8 @@ fn head(text: &str) -> (String, Option<String>) {
         (text, None)
     };
     let plain = name.chars().filter(|letter| letter.is_alphanumeric());
-    (
-        plain.collect::<String>().to_lowercase(),
-        unit.map(str::to_owned),
-    )
+    let plain = plain.collect::<String>().to_lowercase();
+    (plain, unit.map(str::to_owned))
 }
 
 /// The length of a unit in metres; 0 for pixels, because the file does not say how large they are.
@@ -364,7 +352,7 @@ fn factor(unit: Option<&str>, role: &ColumnRole, reading: &Reading) -> Result<f6
 fn found(opening: &TableHead) -> Vec<(usize, ColumnRole)> {
     if opening.heads.is_empty() {
         return match opening.width {
-            3 | 5 => in_order(&(0..opening.width).collect::<Vec<_>>()),
+            3 | 5 => in_order(0..opening.width),
             _ => Vec::new(),
         };
     }
@@ -380,18 +368,12 @@ fn found(opening: &TableHead) -> Vec<(usize, ColumnRole)> {
     roles.collect()
 }
 
-fn in_order(columns: &[usize]) -> Vec<(usize, ColumnRole)> {
-    let roles = columns
-        .iter()
-        .enumerate()
-        .map(|(place, &index)| match place.checked_sub(1) {
-            None => (index, ColumnRole::Time),
-            Some(place) => {
-                let body = format!("body {}", place / 2 + 1);
-                (index, ColumnRole::Coordinate(body, place % 2))
-            }
-        });
-    roles.collect()
+/// The time, then x and y of each body.
+fn in_order(columns: impl IntoIterator<Item = usize>) -> Vec<(usize, ColumnRole)> {
+    let coordinate =
+        |place: usize| ColumnRole::Coordinate(format!("body {}", place / 2 + 1), place % 2);
+    let roles = std::iter::once(ColumnRole::Time).chain((0..).map(coordinate));
+    columns.into_iter().zip(roles).collect()
 }
 
 /// The columns as chosen by the user.
@@ -403,26 +385,20 @@ fn chosen(opening: &TableHead, chosen: &[String]) -> Result<Vec<(usize, ColumnRo
             chosen.len()
         ));
     }
-    let mut columns = Vec::new();
-    for name in chosen {
-        let number = name
-            .parse::<usize>()
-            .ok()
-            .and_then(|number| number.checked_sub(1));
+    let width = opening.width.max(opening.heads.len());
+    let column = |name: &String| {
+        let number = name.parse::<usize>().ok();
+        let number = number.and_then(|number| number.checked_sub(1));
         let is_head = |text: &str| text.eq_ignore_ascii_case(name) || head(text).0 == head(name).0;
-        let named = opening.heads.iter().position(|text| is_head(text));
-        let width = opening.width.max(opening.heads.len());
-        match number.filter(|index| *index < width).or(named) {
-            Some(index) => columns.push(index),
-            None => {
-                let found = quoted(name);
-                return Err(format!(
-                    "expected the heading of a column or a number from 1 to {width}, found {found}"
-                ));
-            }
-        }
-    }
-    Ok(in_order(&columns))
+        let named = || opening.heads.iter().position(|text| is_head(text));
+        let index = number.filter(|index| *index < width).or_else(named);
+        index.ok_or_else(|| {
+            let found = quoted(name);
+            format!("expected the heading of a column or a number from 1 to {width}, found {found}")
+        })
+    };
+    let columns: Result<Vec<_>, _> = chosen.iter().map(column).collect();
+    columns.map(in_order)
 }
 
 fn rows(source: Source, opening: &TableHead, table: &TrackTable) -> Result<Vec<Track>, FileErrors> {
@@ -460,15 +436,15 @@ fn row(
     last: &mut f64,
     tracks: &mut [Track],
 ) -> Result<(), String> {
-    let read = |column: &Column| value(column, fields.get(column.index).copied());
-    let place = || table.time.place();
-    let t =
-        read(&table.time)?.ok_or_else(|| format!("{}: expected a time, found nothing", place()))?;
+    let at = |column: &Column, expected: &str| format!("{}: expected {expected}", column.place());
+    let read = |column: &Column| {
+        let text = fields.get(column.index).copied().unwrap_or_default();
+        value(column, text).map_err(|expected| at(column, &expected))
+    };
+    let time = &table.time;
+    let t = read(time)?.ok_or_else(|| at(time, "a time, found nothing"))?;
     if t <= *last {
-        return Err(format!(
-            "{}: expected a time after {last} s, found {t} s",
-            place()
-        ));
+        return Err(at(time, &format!("a time after {last} s, found {t} s")));
     }
     *last = t;
     for ((name, [x, y]), track) in table.bodies.iter().zip(tracks) {
@@ -482,30 +458,26 @@ fn row(
             (None, None) => {}
             (one, _) => {
                 let lacking = if one.is_some() { y } else { x };
-                return Err(format!(
-                    "{}: expected both coordinates of {name} or neither, found one",
-                    lacking.place()
-                ));
+                let expected = format!("both coordinates of {name} or neither, found one");
+                return Err(at(lacking, &expected));
             }
         }
     }
     Ok(())
 }
 
-/// The value of a field in SI units; `None` if it is empty.
-fn value(column: &Column, field: Option<&str>) -> Result<Option<f64>, String> {
-    let Some(text) = field.filter(|text| !text.is_empty()) else {
+/// The value of a field in SI units, `None` if it is empty, or what was expected and found.
+fn value(column: &Column, text: &str) -> Result<Option<f64>, String> {
+    if text.is_empty() {
         return Ok(None);
-    };
+    }
     match number(text).map(|number| number * column.factor) {
         Some(value) if value.abs() <= MOST => Ok(Some(value)),
-        Some(value) if value.is_finite() => Err(format!(
-            "{}: expected a number of at most {MOST:e}, found {text}",
-            column.place()
-        )),
+        Some(value) if value.is_finite() => {
+            Err(format!("a number of at most {MOST:e}, found {text}"))
+        }
         _ => Err(format!(
-            "{}: expected a number, or nothing for a missing point, found {}",
-            column.place(),
+            "a number, or nothing for a missing point, found {}",
             quoted(text)
         )),
     }
