@@ -3,7 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use super::fit::LEVEL;
-use super::{LineFrom, Measurement, QUANTITIES, Unit};
+use super::quantities::LENGTH;
+use super::{LineFrom, Measurement, QUANTITIES};
 
 impl Measurement {
     /// The whole measurement as JSON. If a quantity is not defined, only the reason is given, as
@@ -28,7 +29,7 @@ impl Measurement {
             };
             quantities.insert(format!("{}{}", quantity.id, unit.ending()), value);
         }
-        let noise = self.fit.noise.map(|noise| Unit::Length.in_unit(noise));
+        let noise = self.fit.noise.map(|noise| LENGTH.in_unit(noise));
         let test = self
             .fit
             .test

@@ -151,11 +151,6 @@ impl Measurement {
         self.tracks.each_ref().map(|track| track.name.as_str())
     }
 
-    /// The estimate of a quantity, or why there is none.
-    pub(crate) fn estimate(&self, quantity: &Quantity) -> Result<Estimate, String> {
-        quantities::measured(quantity, &self.fit, &self.known, self.names())
-    }
-
     /// The quantity with this id and its estimate, or why there is none.
     pub(crate) fn quantity(&self, id: &str) -> Result<(&'static Quantity, Estimate), String> {
         let mut all = QUANTITIES.iter();

@@ -4,58 +4,43 @@ use std::sync::LazyLock;
 
 use glam::DVec2;
 
-use super::Given;
 use super::fit::{Estimate, TracksFit};
 use super::model::State;
 use super::track::Leg::{self, After, Before};
+use super::{Given, Measurement};
 use crate::numbers::fixed;
 use crate::physics::impact::{Contact, kinetic_energy};
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
-/// The unit of a quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Unit {
-    Seconds,
-    Speed,
-    Slowing,
-    Length,
-    Angle,
-    Momentum,
-    Energy,
-    Percent,
-    Number,
-}
+/// The unit of a quantity: the symbol after a number, the ending of a quantity's name in JSON, and
+/// the factor from SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Unit(&'static str, &'static str, f64);
+
+pub(super) const SECONDS: Unit = Unit("s", "_s", 1.0);
+pub(super) const SPEED: Unit = Unit("m/s", "_m_s", 1.0);
+pub(super) const SLOWING: Unit = Unit("m/s²", "_m_s2", 1.0);
+pub(super) const LENGTH: Unit = Unit("mm", "_mm", mm_from_m(1.0));
+pub(super) const ANGLE: Unit = Unit("°", "_deg", deg_from_rad(1.0));
+pub(super) const MOMENTUM: Unit = Unit("g m/s", "_g_m_s", 1000.0);
+pub(super) const ENERGY: Unit = Unit("mJ", "_mj", 1000.0);
+pub(super) const PERCENT: Unit = Unit("%", "_percent", 100.0);
+pub(super) const NUMBER: Unit = Unit("", "", 1.0);
 
 impl Unit {
-    /// The unit symbol after a number, the ending of a quantity's name in JSON, and the factor from
-    /// SI units.
-    const fn facts(self) -> (&'static str, &'static str, f64) {
-        match self {
-            Self::Seconds => ("s", "_s", 1.0),
-            Self::Speed => ("m/s", "_m_s", 1.0),
-            Self::Slowing => ("m/s²", "_m_s2", 1.0),
-            Self::Length => ("mm", "_mm", mm_from_m(1.0)),
-            Self::Angle => ("°", "_deg", deg_from_rad(1.0)),
-            Self::Momentum => ("g m/s", "_g_m_s", 1000.0),
-            Self::Energy => ("mJ", "_mj", 1000.0),
-            Self::Percent => ("%", "_percent", 100.0),
-            Self::Number => ("", "", 1.0),
-        }
-    }
-
     /// The unit symbol after a number.
     pub(crate) const fn sign(self) -> &'static str {
-        self.facts().0
+        self.0
     }
 
     /// The unit as the ending of a quantity's name in JSON.
     pub(crate) const fn ending(self) -> &'static str {
-        self.facts().1
+        self.1
     }
 
     /// Converts a value from SI units to this unit.
     pub(crate) fn in_unit(self, value: f64) -> f64 {
-        value * self.facts().2
+        value * self.2
     }
 
     /// A quantity with this unit.
@@ -162,8 +147,7 @@ type Derivation = Box<dyn Fn(&State, &Known) -> Option<f64> + Send + Sync>;
 /// All reported quantities.
 pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
     use Need::{Approach, Masses, Moves, Radii, Slows};
-    use Unit::{Angle, Energy, Length, Momentum, Number, Percent, Seconds, Slowing, Speed};
-    let mut all = vec![Seconds.of("contact_time", "time of contact", &[], |s, _| {
+    let mut all = vec![SECONDS.of("contact_time", "time of contact", &[], |s, _| {
         Some(s.time())
     })];
     for (id, sign, body, leg) in [
@@ -174,30 +158,30 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
     ] {
         let velocity = move |s: &State| s.velocity(body, leg);
         let (ids, names) = (format!("{id}_*"), format!("{sign} along *"));
-        all.extend(Speed.components(&ids, &names, &[], move |s, _| Some(velocity(s))));
+        all.extend(SPEED.components(&ids, &names, &[], move |s, _| Some(velocity(s))));
         let (moves, name) = ([Moves(body, leg)], format!("speed {sign}"));
-        all.push(Speed.of(id, name, &moves, move |s, _| Some(velocity(s).length())));
+        all.push(SPEED.of(id, name, &moves, move |s, _| Some(velocity(s).length())));
         let (id, name) = (format!("{id}_direction"), format!("direction of {sign}"));
-        all.push(Angle.of(id, name, &moves, move |s, _| Some(velocity(s).to_angle())));
+        all.push(ANGLE.of(id, name, &moves, move |s, _| Some(velocity(s).to_angle())));
     }
     for (id, name, body) in [
         ("deceleration1", "deceleration of body 1", 0),
         ("deceleration2", "deceleration of body 2", 1),
     ] {
-        all.push(Slowing.of(id, name, &[Slows(body)], move |s, _| Some(s.slowing(body))));
+        all.push(SLOWING.of(id, name, &[Slows(body)], move |s, _| Some(s.slowing(body))));
     }
     all.extend([
-        Angle.of("line_of_impact", "line of impact n", &[], |s, k| {
+        ANGLE.of("line_of_impact", "line of impact n", &[], |s, k| {
             Some(line(s, k).to_angle())
         }),
-        Length.of("offset", "impact parameter b", &[Approach], |s, _| {
+        LENGTH.of("offset", "impact parameter b", &[Approach], |s, _| {
             let along = relative(s, Before).try_normalize()?;
             Some(-along.perp_dot(s.centre(1) - s.centre(0)))
         }),
-        Angle.of("alpha", "impact angle α", &[Approach], |s, k| {
+        ANGLE.of("alpha", "impact angle α", &[Approach], |s, k| {
             Some(-relative(s, Before).angle_to(line(s, k)))
         }),
-        Number.of(
+        NUMBER.of(
             "restitution",
             "coefficient of restitution e",
             &[Approach],
@@ -206,7 +190,7 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
                 Some(-relative(s, After).dot(n) / relative(s, Before).dot(n))
             },
         ),
-        Number.of(
+        NUMBER.of(
             "impulse_ratio",
             "tangential/normal impulse",
             &[Radii],
@@ -215,7 +199,7 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
                 Some(change.dot(n.perp()) / change.dot(n))
             },
         ),
-        Number.of("mass_ratio", "m₁/m₂ from Δv₂/Δv₁", &[], |s, _| {
+        NUMBER.of("mass_ratio", "m₁/m₂ from Δv₂/Δv₁", &[], |s, _| {
             let change = |body| s.velocity(body, After) - s.velocity(body, Before);
             let along = (change(1) - change(0)).normalize_or_zero();
             Some(-change(1).dot(along) / change(0).dot(along))
@@ -226,33 +210,33 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
         ("p_after_*", "momentum after along *", After),
     ] {
         let total = move |s: &State, k: &Known| Some(momentum(s, k, leg));
-        all.extend(Momentum.components(ids, names, &[Masses], total));
+        all.extend(MOMENTUM.components(ids, names, &[Masses], total));
     }
     for (id, name, axis) in [
         ("p_change_along", "momentum change parallel to p", 0),
         ("p_change_across", "momentum change normal to p", 1),
     ] {
         let needs = [Need::Momentum];
-        all.push(Percent.of(id, name, &needs, move |s, k| Some(changed(s, k)?[axis])));
+        all.push(PERCENT.of(id, name, &needs, move |s, k| Some(changed(s, k)?[axis])));
     }
     for (id, name, leg) in [
         ("energy_before", "kinetic energy before", Before),
         ("energy_after", "kinetic energy after", After),
     ] {
-        all.push(Energy.of(id, name, &[Masses], move |s, k| Some(energy(s, k, leg))));
+        all.push(ENERGY.of(id, name, &[Masses], move |s, k| Some(energy(s, k, leg))));
     }
     let [u1, v1, v2] = [Moves(0, Before), Moves(0, After), Moves(1, After)];
     all.extend([
-        Percent.of("energy_kept", "kinetic energy kept", &[Approach], |s, k| {
+        PERCENT.of("energy_kept", "kinetic energy kept", &[Approach], |s, k| {
             Some(energy(s, k, After) / energy(s, k, Before))
         }),
-        Angle.of("theta1", "deflection θ₁", &[u1, v1], |s, _| {
+        ANGLE.of("theta1", "deflection θ₁", &[u1, v1], |s, _| {
             Some(s.velocity(0, Before).angle_to(s.velocity(0, After)))
         }),
-        Angle.of("theta2", "recoil angle θ₂", &[u1, v2], |s, _| {
+        ANGLE.of("theta2", "recoil angle θ₂", &[u1, v2], |s, _| {
             Some(-s.velocity(0, Before).angle_to(s.velocity(1, After)))
         }),
-        Angle.of("between", "angle between the paths", &[v1, v2], |s, _| {
+        ANGLE.of("between", "angle between the paths", &[v1, v2], |s, _| {
             Some(s.velocity(0, After).angle_to(s.velocity(1, After)).abs())
         }),
     ]);
@@ -261,7 +245,7 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
         ("predicted_v2_*", "predicted v₂ along *", 1),
     ] {
         let found = move |s: &State, k: &Known| Some(predicted(s, k)?[body]);
-        all.extend(Speed.components(ids, names, &[Approach], found));
+        all.extend(SPEED.components(ids, names, &[Approach], found));
     }
     for (ids, names, body) in [
         ("residual_v1_*", "v₁ along * − predicted", 0),
@@ -269,10 +253,10 @@ pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
     ] {
         let missed =
             move |s: &State, k: &Known| Some(s.velocity(body, After) - predicted(s, k)?[body]);
-        all.extend(Speed.components(ids, names, &[Approach], missed));
+        all.extend(SPEED.components(ids, names, &[Approach], missed));
     }
     let name = "distance between the centres at contact";
-    all.push(Length.of("centres_apart", name, &[], |s, _| {
+    all.push(LENGTH.of("centres_apart", name, &[], |s, _| {
         Some(s.centre(0).distance(s.centre(1)))
     }));
     all
@@ -325,63 +309,58 @@ pub(crate) fn predicted(state: &State, known: &Known) -> Option<[DVec2; 2]> {
     Some([impact.v1, impact.v2])
 }
 
-/// A quantity of a measurement: its estimate, or why there is none.
-pub(super) fn measured(
-    quantity: &Quantity,
-    fit: &TracksFit,
-    known: &Known,
-    names: [&str; 2],
-) -> Result<Estimate, String> {
-    for need in &quantity.needs {
-        if let Some(reason) = missing(*need, fit, known, names) {
+impl Measurement {
+    /// The estimate of a quantity, or why there is none.
+    pub(crate) fn estimate(&self, quantity: &Quantity) -> Result<Estimate, String> {
+        let mut needs = quantity.needs.iter();
+        if let Some(reason) = needs.find_map(|need| self.missing(*need)) {
             return Err(reason);
         }
+        let of = |state: &State| (quantity.of)(state, &self.known);
+        let estimate = match quantity.unit == ANGLE {
+            true => self.fit.estimate_angle(of),
+            false => self.fit.estimate(of),
+        };
+        estimate.ok_or_else(|| "not defined for this collision".into())
     }
-    let estimate = match quantity.unit {
-        Unit::Angle => fit.estimate_angle(|state| (quantity.of)(state, known)),
-        _ => fit.estimate(|state| (quantity.of)(state, known)),
-    };
-    estimate.ok_or_else(|| "not defined for this collision".into())
-}
 
-/// Why a condition is not met; `None` if it is met.
-fn missing(need: Need, fit: &TracksFit, known: &Known, names: [&str; 2]) -> Option<String> {
-    let (clear, reason) = match need {
-        Need::Moves(body, leg) => {
-            let speed = fit.estimate(|state| Some(state.velocity(body, leg).length()));
-            let most = speed.map_or(f64::NAN, |it| it.value + it.uncertainty95());
-            let reason = format!(
-                "not defined: {} is at rest {leg} the contact, or slower than {} m/s",
-                names[body],
-                fixed(most, 3)
-            );
-            (speed.is_some_and(|it| it.is_clear()), reason)
-        }
-        Need::Approach => {
-            let along = |state: &State| Some(relative(state, Before).dot(line(state, known)));
-            let reason = "not defined: the speed of approach along the line of impact is not \
-                          clearly above zero";
-            let speed = fit.estimate(along);
-            (
-                speed.is_some_and(|it| it.is_clear() && it.value > 0.0),
-                reason.into(),
-            )
-        }
-        Need::Momentum => {
-            let total = fit.estimate(|state| Some(momentum(state, known, Before).length()));
-            let reason = "not defined: the total momentum before the contact is not clearly \
-                          different from zero";
-            (total.is_some_and(|it| it.is_clear()), reason.into())
-        }
-        Need::Radii => {
-            let reason = match fit.apart {
-                None => "unknown without the radii",
-                Some(_) => "unknown: the tracks contradict the radii",
-            };
-            (known.line == LineFrom::Centres, reason.into())
-        }
-        Need::Masses => (known.are_given, "unknown without the masses".into()),
-        Need::Slows(body) => (fit.model.slows(body), "none found: straight lines".into()),
-    };
-    (!clear).then_some(reason)
+    /// Why a condition is not met; `None` if it is met.
+    fn missing(&self, need: Need) -> Option<String> {
+        let (fit, known) = (&self.fit, &self.known);
+        let is_clear = |it: Option<Estimate>| it.is_some_and(|it| it.is_clear());
+        let (is_met, reason) = match need {
+            Need::Moves(body, leg) => {
+                let speed = fit.estimate(|state| Some(state.velocity(body, leg).length()));
+                let most = speed.map_or(f64::NAN, |it| it.value + it.uncertainty95());
+                let (name, most) = (self.names()[body], fixed(most, 3));
+                let reason = format!(
+                    "not defined: {name} is at rest {leg} the contact, or slower than {most} m/s"
+                );
+                return (!is_clear(speed)).then_some(reason);
+            }
+            Need::Approach => {
+                let along = |state: &State| Some(relative(state, Before).dot(line(state, known)));
+                let speed = fit.estimate(along).filter(|it| it.value > 0.0);
+                let reason = "not defined: the speed of approach along the line of impact is not \
+                              clearly above zero";
+                (is_clear(speed), reason)
+            }
+            Need::Momentum => {
+                let total = fit.estimate(|state| Some(momentum(state, known, Before).length()));
+                let reason = "not defined: the total momentum before the contact is not clearly \
+                              different from zero";
+                (is_clear(total), reason)
+            }
+            Need::Radii => {
+                let reason = match fit.apart {
+                    None => "unknown without the radii",
+                    Some(_) => "unknown: the tracks contradict the radii",
+                };
+                (known.line == LineFrom::Centres, reason)
+            }
+            Need::Masses => (known.are_given, "unknown without the masses"),
+            Need::Slows(body) => (fit.model.slows(body), "none found: straight lines"),
+        };
+        (!is_met).then(|| reason.into())
+    }
 }

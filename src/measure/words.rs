@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::fit::{Estimate, LEVEL};
 use super::model::State;
-use super::quantities::{changed, predicted, relative};
+use super::quantities::{ANGLE, LENGTH, NUMBER, PERCENT, SPEED, changed, predicted, relative};
 use super::student::t_beyond;
 use super::{LineFrom, Measurement, QUANTITIES, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures, with_unit};
@@ -68,9 +68,9 @@ fn bare(estimate: &Estimate, unit: Unit) -> [String; 2] {
 /// A value with its uncertainty: "87° ± 3°", "1.02 ± 0.03 m/s".
 fn printed(estimate: &Estimate, unit: Unit) -> String {
     let (both, sign) = (bare(estimate, unit), unit.sign());
-    match unit {
-        Unit::Angle | Unit::Percent => both.map(|it| with_unit(&it, sign)).join(" ± "),
-        _ => with_unit(&both.join(" ± "), sign),
+    match [ANGLE, PERCENT].contains(&unit) {
+        true => both.map(|it| with_unit(&it, sign)).join(" ± "),
+        false => with_unit(&both.join(" ± "), sign),
     }
 }
 
@@ -116,9 +116,9 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
 
 /// A number without an uncertainty.
 fn rounded(x: f64, unit: Unit) -> String {
-    match unit {
-        Unit::Angle | Unit::Percent => with_unit(&fixed(unit.in_unit(x), 0), unit.sign()),
-        _ => four_figures(unit.in_unit(x)),
+    match [ANGLE, PERCENT].contains(&unit) {
+        true => with_unit(&fixed(unit.in_unit(x), 0), unit.sign()),
+        false => four_figures(unit.in_unit(x)),
     }
 }
 
@@ -153,9 +153,9 @@ fn judged(
     let doubt = match reach > wide {
         true => {
             let ends = [estimate.value - reach, estimate.value + reach];
-            let [low, high] = ends.map(|end| match unit {
-                Unit::Number => fixed(end, 1),
-                _ => rounded(end, unit),
+            let [low, high] = ends.map(|end| match unit == NUMBER {
+                true => fixed(end, 1),
+                false => rounded(end, unit),
             });
             format!(" This test is weak: anything from {low} to {high} would agree too.")
         }
@@ -202,7 +202,7 @@ impl Measurement {
         let fit = &self.fit;
         let counts = |body: usize| {
             let [before, after] = fit.counts[body];
-            let noise = |axis: usize| Unit::Length.in_unit(fit.noise[2 * body + axis]);
+            let noise = |axis: usize| LENGTH.in_unit(fit.noise[2 * body + axis]);
             let [x, y] = [0, 1].map(|axis| four_figures(round2(noise(axis))));
             format!(
                 "{before} points before the contact, {after} after it; noise {x} mm in x, {y} mm \
@@ -287,8 +287,8 @@ impl Measurement {
         Ok(format!(
             "{}, predicted {}, difference {} ({})",
             self.found(id)?,
-            bare(&expected, Unit::Speed).join(" ± "),
-            bare(&missed, Unit::Speed).join(" ± "),
+            bare(&expected, SPEED).join(" ± "),
+            bare(&missed, SPEED).join(" ± "),
             sigmas(missed.sigmas(0.0)),
         ))
     }
@@ -349,8 +349,8 @@ impl Measurement {
     /// The distance between the centres at contact, and the radii.
     fn distance(&self) -> Option<String> {
         let apart = self.fit.apart?;
-        let found = printed(&apart.found, Unit::Length);
-        let radii = four_figures(Unit::Length.in_unit(apart.radii));
+        let found = printed(&apart.found, LENGTH);
+        let radii = four_figures(LENGTH.in_unit(apart.radii));
         let far = sigmas(apart.found.sigmas(apart.radii));
         Some(match apart.agrees {
             true => format!("{found} from the tracks, {radii} mm from the radii ({far})"),
@@ -367,7 +367,7 @@ impl Measurement {
         match self.estimate_of("between") {
             Ok(between) if is_square && self.given.restitution >= 1.0 => {
                 let exact = 90_f64.to_radians();
-                sentences.push(compared(what, &between, exact, Unit::Angle, wide));
+                sentences.push(compared(what, &between, exact, ANGLE, wide));
             }
             Ok(between) => {
                 let angle = |[v1, v2]: [DVec2; 2]| v1.angle_to(v2).abs();
@@ -379,15 +379,15 @@ impl Measurement {
                 if let (Some(missed), Some(expected)) = (missed, self.fit.estimate_angle(expected))
                 {
                     let both = [
-                        printed(&between, Unit::Angle),
-                        format!("the predicted {}", printed(&expected, Unit::Angle)),
+                        printed(&between, ANGLE),
+                        format!("the predicted {}", printed(&expected, ANGLE)),
                     ];
                     let difference = Estimate {
                         value: between.value,
                         ..missed
                     };
                     let exact = between.value - missed.value;
-                    sentences.push(judged(what, both, &difference, exact, Unit::Angle, wide));
+                    sentences.push(judged(what, both, &difference, exact, ANGLE, wide));
                 }
             }
             Err(reason) => sentences.push(format!("{what}: {reason}.")),
@@ -395,12 +395,12 @@ impl Measurement {
         sentences.extend(self.momentum_sentence());
         let what = "Coefficient of restitution";
         sentences.push(match self.estimate_of("restitution") {
-            Ok(e) => compared(what, &e, self.given.restitution, Unit::Number, 0.3),
+            Ok(e) => compared(what, &e, self.given.restitution, NUMBER, 0.3),
             Err(reason) => format!("{what}: {reason}."),
         });
         if let Ok(kept) = self.estimate_of("energy_kept") {
             let what = "Kinetic energy kept";
-            sentences.push(compared(what, &kept, 1.0, Unit::Percent, 0.3));
+            sentences.push(compared(what, &kept, 1.0, PERCENT, 0.3));
         }
         sentences.push(self.friction_sentence());
         sentences.extend(self.largest_residual());
@@ -419,7 +419,7 @@ impl Measurement {
             .fit
             .chance_of_zero([&|state| part(state, 0), &|state| part(state, 1)])?;
         let far = sigmas(t_beyond(p, 1e9));
-        let share = Unit::Percent.in_unit(change);
+        let share = PERCENT.in_unit(change);
         let share = fixed(share, if share < 1.0 { 1 } else { 0 });
         let verdict = Agreement::of_chance(p);
         Some(if verdict == Agreement::Disagrees {
@@ -429,7 +429,7 @@ impl Measurement {
                 "Momentum changed by {share} %: {far}, too much to agree and too little to disagree."
             )
         } else if along.uncertainty95() > 0.25 {
-            let reach = fixed(Unit::Percent.in_unit(along.uncertainty95()), 0);
+            let reach = fixed(PERCENT.in_unit(along.uncertainty95()), 0);
             format!(
                 "Momentum agrees within {share} %: {far}. This test is weak: a change of {reach} % \
                  would hardly be noticed."
@@ -448,7 +448,7 @@ impl Measurement {
         // The bound is one-sided, at the 95 % level.
         let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
         let size = ratio.value.abs();
-        let found = printed(&ratio, Unit::Number);
+        let found = printed(&ratio, NUMBER);
         if Agreement::of_chance(ratio.chance(0.0)) > Agreement::Agrees {
             let least = fixed((size - reach).max(0.0), 2);
             format!(
@@ -489,7 +489,7 @@ impl Measurement {
         };
         let other_e = match self.estimate_of("restitution") {
             Ok(found) if is_other(&found) => {
-                let [value, _] = bare(&found, Unit::Number);
+                let [value, _] = bare(&found, NUMBER);
                 format!(
                     " Set e = {value} (--restitution {value}) to predict with the e found here."
                 )
@@ -506,73 +506,69 @@ impl Measurement {
         Some(format!(
             "The outcome {verdict} the prediction for smooth rims and e = {e}: the largest of four \
              differences is {} ({}).{doubt}{other_e}{how}",
-            printed(&largest, Unit::Speed),
+            printed(&largest, SPEED),
             sigmas(largest.sigmas(0.0)),
         ))
     }
 
     /// What the reader should know before trusting the numbers.
     pub fn warnings(&self) -> Vec<String> {
-        let mut warnings = Vec::new();
         let fit = &self.fit;
-        if self.given.masses.is_none() {
-            warnings.push(
-                "The masses are assumed to be equal: set them (--m1-g and --m2-g).".to_owned(),
-            );
-        }
-        if fit.alike > ALIKE {
-            warnings.push(
-                "Neighbouring points miss the fitted paths in the same direction: the paths bend, a \
-                 third body or a cushion interferes, or the tracking was smoothed. The true \
-                 uncertainties are larger than stated."
-                    .to_owned(),
-            );
-        }
-        if let Some(apart) = fit.apart.filter(|apart| !apart.agrees) {
-            warnings.push(format!(
+        let (gap, step) = fit.gap;
+        let slows = fit.model.rates() > 0;
+        let contradicted = fit.apart.filter(|apart| !apart.agrees).map(|apart| {
+            format!(
                 "The tracks contradict the radii: at contact the centres are {} apart, but the radii \
                  add up to {} mm. Check the scale, whether x and y have the same scale, whether the \
                  marks are at the centres, and parallax. The radii are not used.",
-                printed(&apart.found, Unit::Length),
-                four_figures(Unit::Length.in_unit(apart.radii)),
-            ));
-        }
-        let (gap, step) = fit.gap;
-        if gap > 3.5 * step {
-            warnings.push(format!(
+                printed(&apart.found, LENGTH),
+                four_figures(LENGTH.in_unit(apart.radii)),
+            )
+        });
+        let missing = (gap > 3.5 * step).then(|| {
+            format!(
                 "Frames are missing around the contact: there is no point for {} s, {} times the \
                  usual step.",
                 four_figures(round2(gap)),
                 fixed(gap / step, 0),
-            ));
-        }
-        if let Ok(e) = self.estimate_of("restitution")
-            && e.value > 1.0
-            && Agreement::of_chance(e.chance(1.0)) == Agreement::Disagrees
-        {
-            warnings.push(
-                "e is greater than 1, which no collision of two passive bodies can give: check the \
-                 scale, the frame rate and the tracks around the contact."
-                    .to_owned(),
-            );
-        }
-        let slows = fit.model.rates() > 0;
-        match &fit.test {
-            Some(test) if slows && !test.is_slowing => warnings.push(
-                "A body speeds up: the surface is not level, the camera moves, or the paths are seen \
-                 at an angle."
-                    .to_owned(),
+            )
+        });
+        let is_too_great = |e: Estimate| {
+            e.value > 1.0 && Agreement::of_chance(e.chance(1.0)) == Agreement::Disagrees
+        };
+        let when = |holds: bool, text: &str| holds.then(|| text.to_owned());
+        let warnings = [
+            when(
+                self.given.masses.is_none(),
+                "The masses are assumed to be equal: set them (--m1-g and --m2-g).",
             ),
-            Some(test) if !slows && test.p < 0.2 && self.given.slowing == SlowingDown::Auto => {
-                warnings.push(
-                    "A small deceleration is possible and would distort the velocities. If you allow \
-                     for it (--slowing always), the uncertainties are larger."
-                        .to_owned(),
-                );
-            }
-            _ => {}
-        }
-        warnings
+            when(
+                fit.alike > ALIKE,
+                "Neighbouring points miss the fitted paths in the same direction: the paths bend, a \
+                 third body or a cushion interferes, or the tracking was smoothed. The true \
+                 uncertainties are larger than stated.",
+            ),
+            contradicted,
+            missing,
+            when(
+                self.estimate_of("restitution").is_ok_and(is_too_great),
+                "e is greater than 1, which no collision of two passive bodies can give: check the \
+                 scale, the frame rate and the tracks around the contact.",
+            ),
+            when(
+                slows && fit.test.is_some_and(|test| !test.is_slowing),
+                "A body speeds up: the surface is not level, the camera moves, or the paths are seen \
+                 at an angle.",
+            ),
+            when(
+                !slows
+                    && self.given.slowing == SlowingDown::Auto
+                    && fit.test.is_some_and(|test| test.p < 0.2),
+                "A small deceleration is possible and would distort the velocities. If you allow \
+                 for it (--slowing always), the uncertainties are larger.",
+            ),
+        ];
+        warnings.into_iter().flatten().collect()
     }
 
     /// The whole measurement as text.
@@ -627,10 +623,10 @@ mod tests {
             (123.4, 34.0, "123 ± 34"),
             (-0.001, 0.2, "0.0 ± 0.2"),
         ] {
-            assert_eq!(printed(&estimate(value, uncertainty), Unit::Number), text);
+            assert_eq!(printed(&estimate(value, uncertainty), NUMBER), text);
         }
         let angle = estimate(87_f64.to_radians(), 3_f64.to_radians());
-        assert_eq!(printed(&angle, Unit::Angle), "87° ± 3°");
+        assert_eq!(printed(&angle, ANGLE), "87° ± 3°");
     }
 
     #[test]
@@ -638,7 +634,7 @@ mod tests {
         let words = |by: f64| {
             let sigma = 3_f64.to_radians();
             let angle = estimate(90_f64.to_radians() - by * sigma, sigma);
-            compared("Angle", &angle, 90_f64.to_radians(), Unit::Angle, 0.5)
+            compared("Angle", &angle, 90_f64.to_radians(), ANGLE, 0.5)
         };
         assert_eq!(words(0.3), "Angle: 89° ± 3° agrees with 90° (0.3 σ).");
         assert_eq!(words(1.0), "Angle: 87° ± 3° agrees with 90° (1.0 σ).");
@@ -662,17 +658,17 @@ mod tests {
         };
         let right = 90_f64.to_radians();
         assert_eq!(
-            compared("Angle", &few(87.2), right, Unit::Angle, 0.5),
+            compared("Angle", &few(87.2), right, ANGLE, 0.5),
             "Angle: 87.2° ± 1.2° agrees with 90° with so few points (2.3 σ)."
         );
         assert_eq!(
-            compared("Angle", &few(86.0), right, Unit::Angle, 0.5),
+            compared("Angle", &few(86.0), right, ANGLE, 0.5),
             "Angle: 86.0° ± 1.2° is 3.3 σ from 90°, too far to agree and too near to disagree with \
              so few points."
         );
         let wide = estimate(1.6, 0.7);
         assert_eq!(
-            compared("e", &wide, 1.0, Unit::Number, 0.3),
+            compared("e", &wide, 1.0, NUMBER, 0.3),
             "e: 1.6 ± 0.7 agrees with 1 (0.9 σ). This test is weak: anything from 0.2 to 3.0 would \
              agree too."
         );

@@ -8,8 +8,8 @@ use rand_pcg::Pcg64Mcg;
 use super::simulated::Film;
 use crate::measure::film::normal;
 use crate::measure::fit::{ONE_SIGMA, TracksFit};
-use crate::measure::quantities::{Known, QUANTITIES, measured};
-use crate::measure::{Given, SlowingDown, Unit};
+use crate::measure::quantities::{ANGLE, Known, QUANTITIES};
+use crate::measure::{Given, Measurement, SlowingDown};
 
 /// How often an interval contained the truth.
 #[derive(Debug, Clone, Copy, Default)]
@@ -89,23 +89,25 @@ fn coverage(
             continue;
         };
         let known = Known::new(&given, &fit);
-        let names = ["A", "B"];
+        let measurement = Measurement {
+            tracks,
+            given,
+            fit,
+            known,
+        };
         for (quantity, covered) in QUANTITIES.iter().zip(&mut all) {
-            let Ok(estimate) = measured(quantity, &fit, &known, names) else {
+            let Ok(estimate) = measurement.estimate(quantity) else {
                 continue;
             };
             // If the rims are rough, the impulse is not along the line between the centres.
             let Some(exact) = (quantity.of)(&truth, &known) else {
                 continue;
             };
-            let missed = match quantity.unit {
-                Unit::Angle => {
-                    let turn = std::f64::consts::TAU;
-                    let by = estimate.value - exact;
-                    (by + 0.5 * turn).rem_euclid(turn) - 0.5 * turn
-                }
-                _ => estimate.value - exact,
-            };
+            let mut missed = estimate.value - exact;
+            if quantity.unit == ANGLE {
+                let turn = std::f64::consts::TAU;
+                missed = (missed + 0.5 * turn).rem_euclid(turn) - 0.5 * turn;
+            }
             covered.of += 1;
             covered.within[0] += usize::from(missed.abs() <= estimate.uncertainty());
             covered.within[1] += usize::from(missed.abs() <= estimate.uncertainty95());
