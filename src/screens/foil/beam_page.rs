@@ -60,7 +60,7 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
         (Axis::linear(name, 0.0, 1.15 * most), 1.15 * most)
     };
     let mut plot = Plot::new(area, look, angle, count);
-    if let Some(run) = foil.run() {
+    if let Some(run) = &foil.run {
         let degrees = |bin: usize| (bin as f64 * BIN_WIDTH).to_degrees();
         for (bin, count) in run.counts.bins.iter().enumerate() {
             let height = *count as f64 / counted_for.in_bin(bin);
@@ -148,7 +148,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
 /// Writes the text below the settings.
 pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Context) {
     panel.gap();
-    let Some(run) = foil.run() else {
+    let Some(run) = &foil.run else {
         use FoilAction::{Predict, Throw};
         panel.prompts(match cx.settings.predict {
             _ if foil.form.is_typing() => vec![("set it", FoilAction::Set(SettingsForm::SET))],

@@ -19,29 +19,22 @@ type FoilRow = FieldRow<FoilSetup>;
 impl FoilFields {
     /// The settings that apply on the page, in the order of its panel.
     pub(super) fn rows(&self) -> Vec<&'static FoilRow> {
+        let [one, beam] = [FoilPage::Tracks, FoilPage::Counts].map(|page| page == self.page);
         let is_foil = self.setup.obstacle == Obstacle::Nucleus;
         // On a board there is only one way to count the hits.
         let in_space = self.setup.counted_for().is_some();
-        let rows: &[(&FoilRow, bool)] = match self.page {
-            FoilPage::Tracks => &[
-                (&OBSTACLE, true),
-                (&METAL, is_foil),
-                (&ENERGY, is_foil),
-                (&OFFSET, true),
-            ],
-            FoilPage::Counts => &[
-                (&OBSTACLE, true),
-                (&BEAM, true),
-                (&METAL, is_foil),
-                (&ENERGY, is_foil),
-                (&THICKNESS, is_foil),
-                (&PARTICLES, true),
-                (&COUNTED_FOR, in_space),
-            ],
-            FoilPage::Measured => &[],
-        };
-        let rows = rows.iter().filter(|(_, applies)| *applies);
-        rows.map(|(row, _)| *row).collect()
+        let rows = [
+            (&OBSTACLE, one || beam),
+            (&BEAM, beam),
+            (&METAL, (one || beam) && is_foil),
+            (&ENERGY, (one || beam) && is_foil),
+            (&THICKNESS, beam && is_foil),
+            (&OFFSET, one),
+            (&PARTICLES, beam),
+            (&COUNTED_FOR, beam && in_space),
+        ];
+        let rows = rows.into_iter().filter(|(_, applies)| *applies);
+        rows.map(|(row, _)| row).collect()
     }
 }
 

@@ -69,23 +69,16 @@ pub(crate) struct FoilScreen {
     fields: FoilFields,
     /// The form; the keys change the setting that is selected in it.
     form: SettingsForm,
-    beam: BeamPhase,
+    /// The prediction before a beam, while the player is making it.
+    guess: Option<AnswerInput>,
+    /// The beam with the current settings, once it has been started.
+    run: Option<Box<BeamRun>>,
     /// The number of earlier beams.
     runs: u64,
     /// Whether the player has switched away from the scale that is usual for this law.
     other_scale: bool,
     /// Whether the counts of 1913 are shown relative to the law.
     levelled: bool,
-}
-
-/// The state of the beam with the current settings.
-#[derive(Debug, Clone, Default)]
-enum BeamPhase {
-    #[default]
-    NotThrown,
-    /// The player is predicting.
-    Guess(AnswerInput),
-    Thrown(Box<BeamRun>),
 }
 
 impl FoilScreen {
@@ -103,19 +96,13 @@ impl FoilScreen {
     }
 
     fn is_running(&self) -> bool {
-        self.fields.page == FoilPage::Counts && self.run().is_some_and(BeamRun::is_running)
-    }
-
-    fn run(&self) -> Option<&BeamRun> {
-        match &self.beam {
-            BeamPhase::Thrown(run) => Some(run.as_ref()),
-            _ => None,
-        }
+        let running = self.run.as_ref().is_some_and(|run| run.is_running());
+        self.fields.page == FoilPage::Counts && running
     }
 
     /// Stops the beam, or continues it.
     fn halt(&mut self, halted: bool) {
-        if let BeamPhase::Thrown(run) = &mut self.beam {
+        if let Some(run) = &mut self.run {
             run.halted = halted;
         }
     }
@@ -126,7 +113,7 @@ impl FoilScreen {
         how(&mut self.form, &mut self.fields);
         let after = &self.fields.setup;
         if after.law() != before.law() || after.particles_exponent != before.particles_exponent {
-            self.beam = BeamPhase::NotThrown;
+            (self.guess, self.run) = (None, None);
         }
     }
 
@@ -146,13 +133,7 @@ impl FoilScreen {
         let mut others = self.fields.rows().into_iter();
         let place = others.position(|row| Some(row.name) == chosen);
         self.form = SettingsForm::at(place.unwrap_or(0));
-        self.leave_guess();
-    }
-
-    fn leave_guess(&mut self) {
-        if let BeamPhase::Guess(_) = self.beam {
-            self.beam = BeamPhase::NotThrown;
-        }
+        self.guess = None;
     }
 
     fn turn_by(&mut self, pages: isize) {
@@ -164,10 +145,10 @@ impl FoilScreen {
     /// required.
     fn throw(&mut self, predict: bool, seed: u64) {
         self.commit();
-        match &self.beam {
-            BeamPhase::Thrown(run) if !run.is_over() => self.halt(false),
-            BeamPhase::NotThrown if predict => {
-                self.beam = BeamPhase::Guess(AnswerInput::Choice {
+        match &self.run {
+            Some(run) if !run.is_over() => self.halt(false),
+            None if predict => {
+                self.guess = Some(AnswerInput::Choice {
                     chosen: None,
                     count: guess::CHOICES.len(),
                 });
@@ -178,18 +159,18 @@ impl FoilScreen {
 
     /// Begins a beam of new particles; without a new prediction, the previous one remains valid.
     fn begin(&mut self, said: Option<f64>, seed: u64) {
-        let said = said.or_else(|| self.run().and_then(|run| run.said));
+        let said = said.or_else(|| self.run.as_ref()?.said);
         let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.fields.setup.law(), self.fields.setup.particles());
         let run = BeamRun::new(law, seed, particles, said);
-        self.beam = BeamPhase::Thrown(Box::new(run));
+        (self.guess, self.run) = (None, Some(Box::new(run)));
     }
 
     /// Computes the particles for the next frame. Their number does not depend on the time that has
     /// passed, so a slow frame does not make the next one slower.
     fn throw_on(&mut self) {
-        if let BeamPhase::Thrown(run) = &mut self.beam {
+        if let Some(run) = &mut self.run {
             run.advance();
         }
     }
@@ -273,7 +254,7 @@ impl Screen for FoilScreen {
         match self.fields.page {
             FoilPage::Tracks => return Next::after(self.move_particle(mouse, picture)),
             FoilPage::Counts if pressed && self.is_running() => self.halt(true),
-            FoilPage::Counts if pressed && !matches!(self.beam, BeamPhase::Guess(_)) => {
+            FoilPage::Counts if pressed && self.guess.is_none() => {
                 self.throw(cx.settings.predict, cx.seed());
             }
             FoilPage::Measured if pressed => self.levelled = !self.levelled,
@@ -309,7 +290,7 @@ impl Screen for FoilScreen {
         let typing = self.form.is_typing();
         // On this screen these keys turn pages and scroll.
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
-        if let BeamPhase::Guess(guess) = &self.beam {
+        if let Some(guess) = &self.guess {
             let keys = guess.keys().without_keys(&own);
             let keys = keys.renamed("predict and start", |action| action == AnswerAction::Enter);
             let keys = keys.renamed("", |action| matches!(action, AnswerAction::Choose(_)));
@@ -320,7 +301,7 @@ impl Screen for FoilScreen {
                 .or([(Key::BackTab, TurnPage(-1))]);
         }
         let form = || self.form.keys(&self.fields).without_keys(&own);
-        let throw = match self.run() {
+        let throw = match &self.run {
             _ if self.fields.page == FoilPage::Tracks => "a whole beam",
             None => "start the beam",
             Some(run) if run.is_over() => "another beam",
@@ -357,32 +338,32 @@ impl Screen for FoilScreen {
     }
 
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {
-        match (&mut self.beam, action) {
-            (_, FoilAction::TurnPage(by)) => self.turn_by(by),
-            (_, FoilAction::Open(page)) => self.turn_to(page),
-            (_, FoilAction::Set(action)) => self.edit(|form, fields| form.act(action, fields)),
-            (_, FoilAction::WholeBeam) => self.turn_to(FoilPage::Counts),
-            (_, FoilAction::Throw) => self.throw(cx.settings.predict, cx.seed()),
-            (_, FoilAction::Stop) => self.halt(true),
-            (BeamPhase::Guess(guess), FoilAction::Guess(action)) => {
-                if let (Outcome::Done(()), Some(Response::Choice(chosen))) =
-                    (guess.act(action), guess.said())
+        match action {
+            FoilAction::TurnPage(by) => self.turn_by(by),
+            FoilAction::Open(page) => self.turn_to(page),
+            FoilAction::Set(action) => self.edit(|form, fields| form.act(action, fields)),
+            FoilAction::WholeBeam => self.turn_to(FoilPage::Counts),
+            FoilAction::Throw => self.throw(cx.settings.predict, cx.seed()),
+            FoilAction::Stop => self.halt(true),
+            FoilAction::Guess(action) => {
+                if let Some(guess) = &mut self.guess
+                    && guess.act(action) == Outcome::Done(())
+                    && let Some(Response::Choice(chosen)) = guess.said()
                 {
                     let said = guess::CHOICES.get(chosen).map(|(_, share)| *share);
                     self.begin(said, cx.seed());
                 }
             }
-            (_, FoilAction::LeaveGuess) => self.leave_guess(),
-            (_, FoilAction::Scale) => self.other_scale ^= true,
-            (_, FoilAction::OtherPlot) => self.levelled ^= true,
-            (_, FoilAction::Export) => self.export(cx),
-            (_, FoilAction::Predict) => cx.settings.predict ^= true,
-            (_, FoilAction::Reset) => self.edit(|form, fields| {
+            FoilAction::LeaveGuess => self.guess = None,
+            FoilAction::Scale => self.other_scale ^= true,
+            FoilAction::OtherPlot => self.levelled ^= true,
+            FoilAction::Export => self.export(cx),
+            FoilAction::Predict => cx.settings.predict ^= true,
+            FoilAction::Reset => self.edit(|form, fields| {
                 form.give_up();
                 fields.setup = FoilSetup::default();
             }),
-            (_, FoilAction::Back) => return Next::Back,
-            _ => return Next::Ignored,
+            FoilAction::Back => return Next::Back,
         }
         Next::Stay
     }

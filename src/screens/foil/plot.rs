@@ -156,7 +156,7 @@ mod tests {
             figure.0.fields.setup.counted_for(),
             Some(CountedFor::Steradian)
         );
-        let run = figure.0.run().unwrap();
+        let run = figure.0.run.as_ref().unwrap();
         let at =
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
@@ -186,7 +186,7 @@ mod tests {
             pictures += 1;
         }
         assert!(pictures > 60, "{pictures}");
-        let counts = |plot: &FoilFigure| plot.0.run().unwrap().counts;
+        let counts = |plot: &FoilFigure| plot.0.run.as_ref().unwrap().counts;
         assert_eq!(counts(&watched), counts(&whole));
         assert!(press(&mut watched, Key::Char(' ')) && watched.wake().is_some());
         assert!(press(&mut watched, Key::Escape) && watched.wake().is_none());

@@ -2,7 +2,7 @@
 
 use ratatui::layout::Rect;
 
-use super::{BeamPhase, FoilAction, FoilScreen, beam_page, measured_page, tracks_page};
+use super::{FoilAction, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::route::FoilPage;
 use crate::screens::{Context, View};
 use crate::widgets::Look;
@@ -48,7 +48,7 @@ fn panel(foil: &FoilScreen, cx: &Context) -> Panel<FoilAction> {
         FoilPage::Measured => "the experiment",
     });
     panel.subject = 2 * foil.runs as usize;
-    if let BeamPhase::Guess(said) = &foil.beam {
+    if let Some(said) = &foil.guess {
         panel.subject += 1;
         beam_page::write_guess(foil, said, &mut panel);
         return panel;
