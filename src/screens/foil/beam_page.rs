@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::setup::{FoilSetup, Obstacle};
@@ -74,19 +75,10 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             expected_at(&law, counted_for, thrown, at).filter(|count| (least..=top).contains(count))
         };
         plot.function(expected, Pen::new(Role::StrikerOut));
-        let sides = [
-            LabelSide::AboveRight,
-            LabelSide::Above,
-            LabelSide::AboveLeft,
-            LabelSide::Right,
-        ];
-        let mut places = label_places(expected).into_iter();
-        if let Some(first) = places.next() {
-            let label = plot.label("the law", first, &sides, Role::StrikerOut);
-            for (at, sides) in places.map(|at| (at, &sides)) {
-                label.or(at, sides);
-            }
-        }
+        use LabelSide::{Above, AboveLeft, AboveRight, Right};
+        let sides = [AboveRight, Above, AboveLeft, Right];
+        let places = label_places(expected);
+        plot.label_along("the law", places, &sides, Role::StrikerOut);
     }
     plot.picture()
 }
@@ -112,10 +104,9 @@ pub(super) fn expected_at(
 
 /// Possible positions of the curve's label, from just past the middle of the curve to its
 /// beginning.
-fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
+fn label_places(expected: impl Fn(f64) -> Option<f64>) -> impl Iterator<Item = DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
-    let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
-    places.filter_map(on_curve).collect()
+    places.filter_map(move |at| Some(dvec2(at, expected(at)?)))
 }
 
 /// Writes the question before a beam.

@@ -4,7 +4,7 @@ use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::{Axis, ticks::Tick};
-use crate::widgets::picture::{Axes, Label, LabelSide, Mark, Pen, Picture, View};
+use crate::widgets::picture::{Axes, LabelSide, Mark, Pen, Picture, View};
 use crate::widgets::{Look, Role, text};
 
 /// A plot under construction: a [`Picture`] whose coordinates are values on the axes.
@@ -132,15 +132,25 @@ impl Plot {
 
     /// Adds a label beside a point, on the first of `sides` that is free; earlier labels have
     /// priority.
-    pub(crate) fn label(
+    pub(crate) fn label(&mut self, text: &str, at: DVec2, sides: &[LabelSide], role: Role) {
+        self.label_along(text, [at], sides, role);
+    }
+
+    /// Adds a label beside the first of these points that has room for it.
+    pub(crate) fn label_along(
         &mut self,
         text: &str,
-        at: DVec2,
+        points: impl IntoIterator<Item = DVec2>,
         sides: &[LabelSide],
         role: Role,
-    ) -> &mut Label {
-        let place = self.place(at).unwrap_or(DVec2::NAN);
-        self.picture.label(text, place, sides, role)
+    ) {
+        let places = points.into_iter().filter_map(|at| self.place(at));
+        if let [first, others @ ..] = &places.collect::<Vec<_>>()[..] {
+            let label = self.picture.label(text, *first, sides, role);
+            for at in others {
+                label.or(*at, sides);
+            }
+        }
     }
 
     /// The finished picture.
@@ -206,6 +216,17 @@ mod tests {
         assert_eq!(plot.values_at((paper.right(), paper.y)), None);
         let last = plot.values_at((paper.right() - 1, paper.y)).unwrap();
         assert!((last - dvec2(180.0, 1e6)).length() < 1e-6);
+    }
+
+    #[test]
+    fn every_possible_place_of_a_label_is_on_the_axes() {
+        let mut plot = log_plot(Charset::Ascii);
+        let points = [dvec2(90.0, 0.0), dvec2(60.0, 1e3), dvec2(30.0, 1e5)];
+        plot.label_along("here", points, &[LabelSide::Above], Role::Text);
+        let picture = plot.picture();
+        let places = picture.labels[0].places.iter().map(|(at, _)| *at);
+        let places: Vec<_> = places.collect();
+        assert_eq!(places, [dvec2(60.0, 3.0), dvec2(30.0, 5.0)]);
     }
 
     #[test]
