@@ -202,14 +202,12 @@ impl Screen for Lab {
 
     fn status(&self, _cx: &Context) -> String {
         let setup = &self.settings.setup;
-        let name = pieces::pieces_name(setup);
-        let (m1, m2) = (setup.m1_g, setup.m2_g);
-        let e = setup.restitution;
-        if self.settings.hides_mass() {
-            format!("mystery coin: {m1} g on ? g   e = {e:.2}")
-        } else {
-            format!("{name}: {m1} g on {m2} g   e = {e:.2}")
-        }
+        let (m1, e) = (setup.m1_g, setup.restitution);
+        let (name, m2) = match self.settings.hides_mass() {
+            true => ("mystery coin", "?".to_owned()),
+            false => (pieces::pieces_name(setup), setup.m2_g.to_string()),
+        };
+        format!("{name}: {m1} g on {m2} g   e = {e:.2}")
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<LabAction> {

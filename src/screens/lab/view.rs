@@ -12,8 +12,8 @@ use crate::quiz::Rays;
 use crate::screens::{Context, View};
 use crate::widgets::curves::curves_picture;
 use crate::widgets::hit::{
-    Face, Markings, Overlay, Overlays, Sighting, VelocityNames, Watch, degrees, explain,
-    setup_picture, turns_a_second, write_observation,
+    Face, Markings, Overlay, Overlays, VelocityNames, Watch, degrees, explain, setup_picture,
+    turns_a_second, write_observation,
 };
 use crate::widgets::input::{CollisionField, SettingsForm};
 use crate::widgets::panel::Panel;
@@ -42,8 +42,10 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
             View::drawn("where will they go?", setup(Some(rays)), panel).dragging(RayInput::DRAG)
         }
         LabPhase::See(sighting, _) => {
+            let mut panel = Panel::new("watch");
+            panel.part(LabAction::See, |panel| sighting.write("coin", panel));
             let picture = |area| sighting.picture(area);
-            View::drawn(sighting.title(), picture, seen(sighting)).dragging(sighting.drag())
+            View::drawn(sighting.title(), picture, panel).dragging(sighting.drag())
         }
         LabPhase::Notebook(notebook) => notebook::view(notebook, LabAction::Notebook),
         LabPhase::Watch(watch) => {
@@ -157,27 +159,16 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
-/// The observation, as far as it has been entered.
-fn seen(sighting: &Sighting) -> Panel<LabAction> {
-    let mut panel = Panel::new("watch");
-    panel.part(LabAction::See, |panel| sighting.write("coin", panel));
-    panel
-}
-
 /// The shot in numbers, the prediction, and the explanation. The explanation is never truncated; if
 /// there is not enough room, the numbers that the player set are omitted first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     let mut panel = Panel::new("the shot");
-    if !watch.is_revealed() {
-        given(lab, &mut panel);
-        panel.gap();
-        watch.write_explanation(&mut panel);
-        return panel;
-    }
-    if watch.frame != Frame::Laboratory {
+    let revealed = watch.is_revealed();
+    if !revealed || watch.frame != Frame::Laboratory {
         given(lab, &mut panel);
         panel.gap();
         match watch.frame {
+            _ if !revealed => watch.write_explanation(&mut panel),
             Frame::Target => from_target(watch, &mut panel),
             _ => from_centre_of_mass(watch, &mut panel),
         }
@@ -243,17 +234,12 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
     let drift = Frame::CentreOfMass.velocity(collision);
     panel.heading("Centre-of-mass frame");
     panel.fact("V", format!("{:.2} m/s", drift.length()));
-    let [v1, v2] = collision.centres_after();
     let names = VelocityNames::new(collision, Frame::CentreOfMass);
-    let before = [collision.u1, collision.u2];
-    for (body, after) in [v1, v2].into_iter().enumerate() {
-        let disc = ["striker", "coin"][body];
-        for (name, v) in [
-            (names.before[body], before[body]),
-            (names.after[body], after),
-        ] {
-            let speed = format!("{:.2} m/s", (v - drift).length());
-            panel.fact(format!("{disc} {name}"), speed);
+    let (before, after) = ([collision.u1, collision.u2], collision.centres_after());
+    for (body, disc) in ["striker", "coin"].into_iter().enumerate() {
+        for (names, velocities) in [(names.before, before), (names.after, after)] {
+            let speed = (velocities[body] - drift).length();
+            panel.fact(format!("{disc} {}", names[body]), format!("{speed:.2} m/s"));
         }
     }
     if let Some(turned) = collision.cm_deflection()

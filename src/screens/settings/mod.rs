@@ -14,12 +14,11 @@ use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::messages::{Input, Key, KnownPlayer, StoreReply, StoreRequest};
 use crate::progress::long_day;
-use crate::widgets::Outcome;
-use crate::widgets::Role;
 use crate::widgets::input::{
     FormAction, FormFields, KeyTable, ListAction, ListView, SettingsForm, TextField,
 };
 use crate::widgets::panel::Panel;
+use crate::widgets::{Outcome, Role};
 use field::PLAYER;
 
 /// The largest number of characters in a name.
@@ -226,12 +225,8 @@ impl Screen for SettingsScreen {
             let lines = days.chain([("someone new", String::new())]);
             for (at, (name, last)) in lines.enumerate() {
                 let action = SettingsAction::Players(ListAction::Point(at));
-                form.row(
-                    (name.to_owned(), Role::Text),
-                    (last, Role::Dim),
-                    at == chosen,
-                    action,
-                );
+                let name = (name.to_owned(), Role::Text);
+                form.row(name, (last, Role::Dim), at == chosen, action);
             }
         }
         if let Some(typed) = &self.typed {

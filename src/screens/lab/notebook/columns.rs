@@ -159,10 +159,7 @@ impl NotebookColumn {
         match self.of {
             // A miss has no impact angle, although the form shows it as a graze.
             Setting(Field::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
-            Setting(field) => match field.field(setup).value {
-                FieldValue::Number { value, .. } => Some(value),
-                FieldValue::Choice { .. } | FieldValue::Text(_) => None,
-            },
+            Setting(field) => number(field, setup),
             Said(ray) | True(ray) => {
                 let outcome = collision.outcome();
                 angle(&collision, [outcome.theta1, outcome.theta2][ray as usize])
@@ -195,6 +192,14 @@ impl NotebookColumn {
             Setting(field @ Field::Contact) => field.field(&hit.setup).shown,
             _ => String::new(),
         }
+    }
+}
+
+/// The value of a setting, if it is a number.
+pub(super) fn number(field: Field, setup: &CollisionSpec) -> Option<f64> {
+    match field.field(setup).value {
+        FieldValue::Number { value, .. } => Some(value),
+        FieldValue::Choice { .. } | FieldValue::Text(_) => None,
     }
 }
 

@@ -23,22 +23,15 @@ const FILE: &str = "carrom-notebook.csv";
 /// The open notebook.
 #[derive(Debug, Clone)]
 pub(super) struct Notebook {
-    hits: Hits,
+    /// The ticket of the request for the hits.
+    ticket: u64,
+    /// The hits, or the reason why they cannot be loaded; `None` until the store has answered.
+    hits: Option<Result<Vec<NotedHit>, String>>,
     list: ListView,
     /// Whether the plot is shown instead of the table.
     plots: bool,
     /// The columns on the two axes, as indices of the [columns](NotebookColumn::all).
     axes: [usize; 2],
-}
-
-/// The hits, once they have been loaded.
-#[derive(Debug, Clone)]
-enum Hits {
-    /// They have been requested with this ticket.
-    Asked(u64),
-    /// They cannot be loaded, for this reason.
-    Unknown(String),
-    Known(Vec<NotedHit>),
 }
 
 /// What the keys do in the notebook.
@@ -66,7 +59,8 @@ impl Notebook {
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
         Self {
-            hits: Hits::Asked(cx.ask(StoreRequest::Notebook(player))),
+            ticket: cx.ask(StoreRequest::Notebook(player)),
+            hits: None,
             list: ListView::at(usize::MAX),
             plots: false,
             axes: ["alpha_deg", "theta1_deg"].map(NotebookColumn::index),
@@ -75,21 +69,18 @@ impl Notebook {
 
     /// Handles an answer from the store, if it belongs to the request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
-        if let (Hits::Asked(ticket), StoreReply::Notebook(hits)) = (&self.hits, &answer.done)
-            && *ticket == answer.ticket
+        if let (None, StoreReply::Notebook(hits)) = (&self.hits, &answer.done)
+            && self.ticket == answer.ticket
         {
-            self.hits = match hits {
-                Ok(hits) => Hits::Known(hits.clone()),
-                Err(reason) => Hits::Unknown(reason.clone()),
-            };
+            self.hits = Some(hits.clone());
         }
     }
 
     /// The hits in the order in which they were made; none before they are loaded.
     fn hits(&self) -> &[NotedHit] {
         match &self.hits {
-            Hits::Known(hits) => hits,
-            Hits::Asked(_) | Hits::Unknown(_) => &[],
+            Some(Ok(hits)) => hits,
+            _ => &[],
         }
     }
 
@@ -191,7 +182,7 @@ impl Notebook {
     /// Deletes all hits, now that the player has agreed.
     pub(super) fn clear(&mut self, cx: &mut Context) {
         cx.note(PlayerAction::ClearNotebook(cx.settings.player.clone()));
-        self.hits = Hits::Known(Vec::new());
+        self.hits = Some(Ok(Vec::new()));
         self.plots = false;
     }
 
@@ -233,11 +224,12 @@ mod tests {
     fn a_column_that_is_the_same_in_all_hits_is_not_offered_for_the_plot() {
         let hit = |link| NotedHit::new(CollisionSpec::from_link(link).unwrap(), None);
         let mut notebook = Notebook {
-            hits: Hits::Known(vec![
+            ticket: 0,
+            hits: Some(Ok(vec![
                 hit("b:5,e:0.8"),
                 hit("b:12,e:0.8"),
                 hit("b:5,m2:5.5,e:0.8"),
-            ]),
+            ])),
             list: ListView::at(0),
             plots: true,
             axes: [0, 0],

@@ -4,7 +4,7 @@ use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::Notebook;
-use super::columns::NotebookColumn;
+use super::columns::{NotebookColumn, number};
 use crate::physics::CollisionSpec;
 use crate::progress::NotedHit;
 use crate::widgets::input::{CollisionField, FieldValue};
@@ -77,30 +77,18 @@ fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f6
     };
     let is_left = hits.iter().any(|hit| hit.setup.offset_mm() < 0.0);
     let from_left = |most: f64| if is_left { (-most, most) } else { (0.0, most) };
+    let values = hits.iter().filter_map(|hit| number(field, &hit.setup));
+    let most = 1.5 * values.map(f64::abs).fold(0.0, f64::max);
     match field {
         CollisionField::ImpactAngle => from_left(90.0),
         CollisionField::Offset => from_left(setup.contact_distance_mm()),
         CollisionField::Restitution => range,
         CollisionField::Aim | CollisionField::CoinAim => (-180.0, 180.0),
         CollisionField::RimFriction => (0.0, 1.0_f64.min(range.1)),
-        _ => {
-            let values = hits.iter().map(|hit| number(field, &hit.setup).abs());
-            let most = 1.5 * values.fold(0.0, f64::max);
-            match field {
-                CollisionField::StrikerSpin | CollisionField::CoinSpin => {
-                    (-most.max(100.0), most.max(100.0))
-                }
-                _ => (range.0, most.clamp(range.0, range.1)),
-            }
+        CollisionField::StrikerSpin | CollisionField::CoinSpin => {
+            (-most.max(100.0), most.max(100.0))
         }
-    }
-}
-
-/// The value of a setting; 0 for one that is not a number.
-fn number(field: CollisionField, setup: &CollisionSpec) -> f64 {
-    match field.field(setup).value {
-        FieldValue::Number { value, .. } => value,
-        FieldValue::Choice { .. } | FieldValue::Text(_) => 0.0,
+        _ => (range.0, most.clamp(range.0, range.1)),
     }
 }
 
@@ -126,10 +114,8 @@ fn ends(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
 /// The plot in sentences.
 pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
     let [x, y] = notebook.axes();
-    let points = notebook.hits().iter().filter(|hit| {
-        let has = |column: &NotebookColumn| column.value(hit).is_some();
-        has(x) && has(y)
-    });
+    let points = notebook.hits().iter();
+    let points = points.filter(|hit| [x, y].iter().all(|it| it.value(hit).is_some()));
     let (x, y, count) = (x.symbol, y.symbol, points.count());
     vec![format!(
         "A plot of {y} against {x}, with {count} points and the exact curve for the chosen hit."

@@ -1,7 +1,7 @@
 //! The view of the notebook.
 
 use super::columns::NotebookColumn;
-use super::{Hits, Notebook, NotebookAction, link, plot};
+use super::{Notebook, NotebookAction, link, plot};
 use crate::physics::CollisionSpec;
 use crate::progress::NotedHit;
 use crate::screens::View;
@@ -35,29 +35,27 @@ pub(in crate::screens::lab) fn view<'s, A: Copy>(
 
 fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     match &notebook.hits {
-        Hits::Asked(_) => return panel.paragraph("Loading …", Role::Dim),
-        Hits::Unknown(reason) => {
+        None => return panel.paragraph("Loading …", Role::Dim),
+        Some(Err(reason)) => {
             let text = format!("Your notebook cannot be loaded: {reason}.");
             return panel.paragraph(text, Role::Warn);
         }
-        Hits::Known(hits) if hits.is_empty() => {
+        Some(Ok(hits)) if hits.is_empty() => {
             let text = "There is nothing here yet: every hit that you make in the lab becomes a \
                         row, with its settings, your prediction and the result. Hits with a \
                         mystery coin that has not been weighed are left out.";
             return panel.paragraph(text, Role::Text);
         }
-        Hits::Known(_) => {}
+        Some(Ok(_)) => {}
     }
     let number = |id, width, room| {
         let column = NotebookColumn::named(id);
-        (
-            TableColumn::numbers(column.symbol, width).from(room),
-            vec![column],
-        )
+        let head = TableColumn::numbers(column.symbol, width);
+        (head.from(room), vec![column])
     };
     let pair = |head: &str, ids: [&str; 2], width| {
-        let columns = ids.map(NotebookColumn::named);
-        (TableColumn::numbers(head, width), columns.into())
+        let columns = ids.map(NotebookColumn::named).into();
+        (TableColumn::numbers(head, width), columns)
     };
     let (heads, shown): (Vec<_>, Vec<Vec<&NotebookColumn>>) = [
         number("b_mm", 5, 0),
@@ -77,9 +75,7 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     .unzip();
     let columns = [TableColumn::numbers("hit", 3)].into_iter().chain(heads);
     let cell = |hit: &NotedHit, columns: &[&NotebookColumn]| {
-        let each = columns
-            .iter()
-            .map(|column| format!("{:>5}", column.shown(hit)));
+        let each = columns.iter().map(|it| format!("{:>5}", it.shown(hit)));
         each.collect::<Vec<_>>().join(" ")
     };
     let (at, _) = notebook.chosen().unzip();
