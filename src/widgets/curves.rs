@@ -60,8 +60,8 @@ pub(crate) fn alpha_at(
     cell: (u16, u16),
 ) -> Option<f64> {
     let [plot, _] = rooms(area);
-    let at = empty(kind, &collision.into(), plot, look).values_at(cell)?;
-    Some(at.x)
+    let plot = empty(kind, &collision.into(), plot, look);
+    Some(plot.values_at(cell)?.x)
 }
 
 /// The areas for the plot and for the collision.
@@ -70,25 +70,19 @@ fn rooms(area: Rect) -> [Rect; 2] {
 }
 
 fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plot {
-    let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
-    match kind {
+    let (name, most) = match kind {
         FigureKind::Angles => {
             // If e m₂ > m₁, the striker rebounds from a head-on collision.
             let most = if pair.k() > 1.0 + 1e-9 { 180.0 } else { 90.0 };
             let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
             let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);
-            Plot::new(area, *look, theta2, theta1)
+            return Plot::new(area, *look, theta2, theta1);
         }
-        FigureKind::Energy => {
-            let share = Axis::linear("share of the energy", 0.0, 1.0);
-            Plot::new(area, *look, alpha, share)
-        }
-        _ => {
-            let most = pair.target_speed(0.0).max(1.0);
-            let speed = Axis::linear("speed, in units of u", 0.0, most);
-            Plot::new(area, *look, alpha, speed)
-        }
-    }
+        FigureKind::Energy => ("share of the energy", 1.0),
+        _ => ("speed, in units of u", pair.target_speed(0.0).max(1.0)),
+    };
+    let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
+    Plot::new(area, *look, alpha, Axis::linear(name, 0.0, most))
 }
 
 /// The curves of one kind of figure, with a point at the impact angle of the given collision, and a
@@ -118,7 +112,6 @@ pub(crate) fn curves_picture(
     let pair = RestingTarget::from(collision);
     let mut plot = empty(kind, &pair, room, look);
     let alpha_deg = tidy(collision.alpha().map_or(0.0, deg_from_rad)).abs();
-    let alpha = rad_from_deg(alpha_deg);
     match kind {
         FigureKind::Angles => {
             let theta1 = |deg: f64| pair.theta1(rad_from_deg(deg)).map(deg_from_rad);
@@ -131,30 +124,31 @@ pub(crate) fn curves_picture(
                 plot.label(&text, at, &LabelSide::towards(DVec2::ONE), Role::Text);
             }
         }
-        FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
-        _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
+        FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha_deg),
+        _ => curves(&mut plot, look, &SPEEDS, &pair, alpha_deg),
     }
     plot.picture()
 }
 
 /// Draws curves against α, each with a point at the given angle.
-fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
+fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha_deg: f64) {
     use LabelSide::{Above, Below, BelowLeft, BelowRight, Left, Right};
-    let alpha_deg = deg_from_rad(alpha);
     plot.vline(alpha_deg, Pen::new(Role::Aim).dotted());
+    let point = |curve: &Curve, deg: f64| {
+        let value = (curve.at)(pair, rad_from_deg(deg))?;
+        Some(DVec2::new(deg, value))
+    };
     for curve in curves {
-        let value = |deg: f64| (curve.at)(pair, rad_from_deg(deg));
-        plot.function(value, Pen::new(curve.role));
+        plot.function(|deg| Some(point(curve, deg)?.y), Pen::new(curve.role));
     }
     for curve in curves {
-        if let Some(value) = (curve.at)(pair, alpha) {
-            mark(plot, look, DVec2::new(alpha_deg, value), curve.role);
+        if let Some(at) = point(curve, alpha_deg) {
+            mark(plot, look, at, curve.role);
         }
     }
     for curve in curves {
         // The name is placed near the end at which the curve is higher.
-        let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
-        let ends = [8.0, 82.0].into_iter().filter_map(name_at);
+        let ends = [8.0, 82.0].into_iter().filter_map(|deg| point(curve, deg));
         if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {
             let sides = [Below, BelowLeft, BelowRight, Above, Left, Right];
             plot.label(curve.name, at, &sides, curve.role);

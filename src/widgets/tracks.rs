@@ -25,26 +25,18 @@ pub(crate) fn draw_way(
 ) -> Option<(DVec2, DVec2)> {
     picture.curve(points.iter().copied(), pen);
     let view = *picture.view();
-    let (tail, tip) = end(points, ARROW * view.per_column(), |at| {
-        view.cell_at(at).is_some()
-    })?;
-    picture.arrow(tail, tip, pen);
-    Some((tip, (tip - tail).normalize_or_zero()))
-}
-
-/// The last visible piece of a path, with the given length, as two points on the path.
-fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(DVec2, DVec2)> {
     // Each straight piece is divided into small steps, because it may be long.
     let steps = points.windows(2).flat_map(|pair| {
         let (from, to) = (pair[0], pair[1]);
         (0..=200).map(move |i| from.lerp(to, f64::from(i) / 200.0))
     });
     let steps: Vec<_> = steps.collect();
-    let last = steps.iter().rposition(|at| shown(*at))?;
-    let tip = steps[last];
-    let before = steps[..last].iter().rev();
-    let tail = before.copied().find(|at| at.distance(tip) >= length)?;
-    Some((tail, tip))
+    let last = steps.iter().rposition(|at| view.cell_at(*at).is_some())?;
+    let (tip, length) = (steps[last], ARROW * view.per_column());
+    let mut before = steps[..last].iter().rev();
+    let tail = *before.find(|at| at.distance(tip) >= length)?;
+    picture.arrow(tail, tip, pen);
+    Some((tip, (tip - tail).normalize_or_zero()))
 }
 
 /// Two particles that a nucleus deflects by these angles in radians, one on each side of the
