@@ -83,39 +83,42 @@ impl Watch {
     /// differently.
     pub(super) fn step_words(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.coalesces();
-        match step {
+        let words = match step {
             ExplanationStep::Contact if self.outcome.meeting == Meeting::Graze => {
-                "A graze: the rims only just touch, and no force acts.".into()
+                "A graze: the rims only just touch, and no force acts."
             }
             ExplanationStep::Contact => {
-                "The rims touch at one point. At this instant each disc exerts a \
-                              force on the other: equal in size, opposite in direction."
-                    .into()
+                "The rims touch at one point. At this instant each disc exerts a force on the \
+                 other: equal in size, opposite in direction."
             }
             ExplanationStep::Line if sticks => {
-                "The line of impact n joins the two centres; the tangent t is \
-                                     at right angles to it. Smooth rims exert a force along n \
-                                     only. These rims are joined, so a force acts along t as well."
-                    .into()
+                "The line of impact n joins the two centres; the tangent t is at right angles to \
+                 it. Smooth rims exert a force along n only. These rims are joined, so a force \
+                 acts along t as well."
             }
             ExplanationStep::Line if self.is_rough() => {
                 "The line of impact n joins the two centres: along n the discs push each other \
                  apart. The tangent t is at right angles to it: the rims slide past each other \
                  along t, and friction acts."
-                    .into()
             }
             ExplanationStep::Line => {
-                "The line of impact n joins the two centres: the force acts only along \
-                           n. The tangent t is at right angles to it."
-                    .into()
+                "The line of impact n joins the two centres: the force acts only along n. The \
+                 tangent t is at right angles to it."
             }
-            ExplanationStep::Split if self.is_rough() => self.split_rough(),
-            ExplanationStep::Split => self.split(sticks),
-            ExplanationStep::Friction => self.friction(),
-            ExplanationStep::Coin => self.coin(),
-            ExplanationStep::Striker => self.striker(),
-            ExplanationStep::Whole => String::new(),
-        }
+            ExplanationStep::Split if self.is_rough() => {
+                let slip = speed(self.collision.slip().unwrap_or_default());
+                return format!(
+                    "So resolve the velocities. The components along n change as for smooth discs. \
+                     Along t the two rims slide past each other at uₛ = {slip}, spins included."
+                );
+            }
+            ExplanationStep::Split => return self.split(sticks),
+            ExplanationStep::Friction => return self.friction(),
+            ExplanationStep::Coin => return self.coin(),
+            ExplanationStep::Striker => return self.striker(),
+            ExplanationStep::Whole => "",
+        };
+        words.to_owned()
     }
 
     /// Whether the target is at rest before the collision and velocities have their
@@ -126,14 +129,6 @@ impl Watch {
 
     fn is_rough(&self) -> bool {
         self.collision.rims.friction > 0.0
-    }
-
-    fn split_rough(&self) -> String {
-        let slip = speed(self.collision.slip().unwrap_or_default());
-        format!(
-            "So resolve the velocities. The components along n change as for smooth discs. Along \
-             t the two rims slide past each other at uₛ = {slip}, spins included."
-        )
     }
 
     /// Explains friction's impulse: how large it can be, and how large it must be to stop the slip.
@@ -182,9 +177,8 @@ impl Watch {
                               along both, so the collision changes both components."
                 .into(),
             (false, true) if is_none(u1t) => "So resolve u: it is all along n. There is no \
-                                              component along t, so the collision acts on all of \
-                                              u."
-            .into(),
+                                              component along t, so the collision acts on all of u."
+                .into(),
             (false, true) => format!(
                 "So resolve u: the collision changes u₁ₙ = {} along n, but not u₁ₜ = {} along t.",
                 speed(u1n),
@@ -225,8 +219,7 @@ impl Watch {
         match (is_none(v1n), is_none(v1t)) {
             (true, true) => {
                 format!(
-                    "The {name} has no component u₁ₜ, and nothing is left of u₁ₙ: the {name} \
-                         stops."
+                    "The {name} has no component u₁ₜ, and nothing is left of u₁ₙ: the {name} stops."
                 )
             }
             (true, false) => {

@@ -46,12 +46,8 @@ impl HitLayout {
             HALF_HEIGHT * largest
         };
         let columns = f64::from(area.width.min(area.height.saturating_mul(2)).max(1));
-        Self {
-            view: View::new(area, DVec2::ZERO, 2.0 * half / columns),
-            collision: *collision,
-            centres: collision.placed_at_contact().into(),
-            middle: DVec2::ZERO,
-        }
+        let view = View::new(area, DVec2::ZERO, 2.0 * half / columns);
+        Self::of(collision, view, DVec2::ZERO)
     }
 
     /// The layout of `collision` on paper: just large enough to show the rectangle between two
@@ -60,11 +56,15 @@ impl HitLayout {
         let largest = collision.striker.radius.max(collision.target.radius);
         let size = (high - low) / largest * columns;
         let area = Rect::new(0, 0, size.x.ceil() as u16, (size.y / 2.0).ceil() as u16);
+        Self::of(collision, View::fit(area, low, high), (low + high) / 2.0)
+    }
+
+    fn of(collision: &Collision, view: View, middle: DVec2) -> Self {
         Self {
-            view: View::fit(area, low, high),
+            view,
             collision: *collision,
             centres: collision.placed_at_contact().into(),
-            middle: (low + high) / 2.0,
+            middle,
         }
     }
 

@@ -45,6 +45,11 @@ impl Moment<'_> {
         position - self.drift() * (time - self.watch.clock.contact)
     }
 
+    /// The current positions of the discs, in the chosen frame.
+    fn now(&self) -> [DVec2; 2] {
+        [0, 1].map(|body| self.place(body, self.watch.clock.time()))
+    }
+
     /// Whether lines and arrows are drawn on top of the discs at the contact.
     fn is_explaining(&self) -> bool {
         self.watch.clock.at_contact() && self.watch.step() > Some(ExplanationStep::Contact)
@@ -66,14 +71,14 @@ impl Moment<'_> {
         self.before()[1] == DVec2::ZERO
     }
 
-    /// The velocities after the contact, for the arrows at a given time. If the pair moves on
+    /// The velocities after the contact, for the arrows at the current time. If the pair moves on
     /// together, both are the velocity of the centre of mass, except in the centre-of-mass frame:
     /// there they are the velocities of the discs as the pair rotates.
-    fn after(&self, time: f64) -> [DVec2; 2] {
+    fn after(&self) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
-            let turned = -self.watch.outcome.spin * (time - self.watch.clock.contact).max(0.0);
-            let turned = DVec2::from_angle(turned);
+            let since = (self.watch.clock.time() - self.watch.clock.contact).max(0.0);
+            let turned = DVec2::from_angle(-self.watch.outcome.spin * since);
             let centres = self.stage.collision.centres_after();
             return [0, 1].map(|body| turned.rotate(centres[body] - shared[body]));
         }
@@ -115,7 +120,7 @@ impl Moment<'_> {
         let mut sketch = Sketch::new(self.stage);
         let time = self.watch.clock.time();
         let met = self.watch.clock.has_met();
-        let now = [self.place(0, time), self.place(1, time)];
+        let now = self.now();
         if self.shows(Overlay::Trails) {
             self.trails(&mut sketch.picture, time);
         }
@@ -123,15 +128,12 @@ impl Moment<'_> {
             self.disc(&mut sketch.picture, body, at);
             self.mark(&mut sketch.picture, body, at, time);
         }
-        let before = self.before();
-        let after = self.after(time);
         let (step, split) = (self.watch.step(), self.split_step());
         let revealed = step == Some(ExplanationStep::Whole);
-        let in_lab = self.watch.frame == Frame::Laboratory;
         // In the centre-of-mass frame the momenta cancel, so there is no triangle.
         let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
         if revealed && self.shows(Overlay::Triangle) && !flat {
-            self.triangle(&mut sketch, before, after);
+            self.triangle(&mut sketch);
         }
         let outcome = &self.watch.outcome;
         let axes = outcome.normal.zip(outcome.tangent).map(|(n, t)| [n, t]);
@@ -140,29 +142,29 @@ impl Moment<'_> {
                 self.axes(&mut sketch, split.is_some(), n, t);
             }
             if let Some(step) = split {
-                self.parts(&mut sketch, step, [before, after], axes);
+                self.parts(&mut sketch, step, axes);
             }
         }
         if let Some(wanted) = &self.watch.wanted
             && self.shows(Overlay::Prediction)
-            && in_lab
+            && self.watch.frame == Frame::Laboratory
         {
             sketch.wanted_way(wanted);
         }
         if step == Some(ExplanationStep::Friction) {
             self.friction(&mut sketch);
         }
-        let scale = ArrowScale::fit(&self.stage, before, after);
+        let scale = ArrowScale::fit(&self.stage, self.before(), self.after());
         if split.is_none() && self.shows(Overlay::Velocities) {
             let at = if met { self.stage.centres } else { now };
-            self.incoming(&mut sketch, &scale, before, at);
+            self.incoming(&mut sketch, &scale, at);
         }
         if revealed {
             if let Some(axes) = axes.filter(|_| split.is_none() && self.shows(Overlay::Split)) {
                 let centre = Root::From(self.stage.centres[0]);
-                self.split_before(&mut sketch, &scale, (0, centre), before[0], axes);
+                self.split_before(&mut sketch, &scale, (0, centre), axes);
             }
-            self.departures(&mut sketch, &scale, [before, after], now);
+            self.departures(&mut sketch, &scale);
         }
         if step.is_some_and(|step| split.is_none() && step != ExplanationStep::Line) {
             self.spins(&mut sketch, now);

@@ -10,17 +10,11 @@ use crate::widgets::hit::sketch::{ArrowScale, NamedVelocity, Root, Sketch};
 
 impl Moment<'_> {
     /// Draws the velocities of a step, with their components along n and t.
-    pub(super) fn parts(
-        &self,
-        sketch: &mut Sketch,
-        step: ExplanationStep,
-        [before, after]: [[DVec2; 2]; 2],
-        axes: [DVec2; 2],
-    ) {
-        let after_root = |body: usize| Root::From(self.stage.centres[body]);
+    pub(super) fn parts(&self, sketch: &mut Sketch, step: ExplanationStep, axes: [DVec2; 2]) {
+        let (before, after) = (self.before(), self.after());
         let all: Vec<_> = (0..2)
             .flat_map(|body| {
-                let roots = [self.root_before(body, before[body]), after_root(body)];
+                let roots = [self.root_before(body), self.root_after(body)];
                 roots.into_iter().zip([before[body], after[body]])
             })
             .flat_map(|(root, v)| {
@@ -38,18 +32,17 @@ impl Moment<'_> {
             ExplanationStep::Coin => {
                 if self.target_rests() {
                     let [along, _] = self.parts_before(0, before[0], axes);
-                    sketch.velocity(&scale, self.root_before(0, before[0]), &along);
+                    sketch.velocity(&scale, self.root_before(0), &along);
                 }
-                self.split_after(sketch, &scale, (1, after_root(1)), after[1], axes);
+                self.split_after(sketch, &scale, 1, axes);
             }
             ExplanationStep::Striker => {
-                self.split_after(sketch, &scale, (0, after_root(0)), after[0], axes);
-                sketch.velocity(&scale, after_root(1), &self.velocity_after(1, after[1]));
+                self.split_after(sketch, &scale, 0, axes);
+                sketch.velocity(&scale, self.root_after(1), &self.velocity_after(1));
             }
             _ => {
-                for (body, v) in before.into_iter().enumerate() {
-                    let root = self.root_before(body, v);
-                    self.split_before(sketch, &scale, (body, root), v, axes);
+                for body in 0..2 {
+                    self.split_before(sketch, &scale, (body, self.root_before(body)), axes);
                 }
             }
         }
@@ -60,13 +53,17 @@ impl Moment<'_> {
     /// component begins. If both discs move, the arrow ends at the centre, so that each disc has
     /// its arrows on its own side; but if the other disc is right behind, the arrow begins at the
     /// centre.
-    fn root_before(&self, body: usize, v: DVec2) -> Root {
+    fn root_before(&self, body: usize) -> Root {
         let centre = self.stage.centres[body];
-        if self.target_rests() || self.stage.runs_ahead(body, v) {
+        if self.target_rests() || self.stage.runs_ahead(body, self.before()[body]) {
             Root::From(centre)
         } else {
             Root::UpTo(centre)
         }
+    }
+
+    fn root_after(&self, body: usize) -> Root {
+        Root::From(self.stage.centres[body])
     }
 
     /// Draws an initial velocity with its components, unless the disc is at rest.
@@ -75,9 +72,9 @@ impl Moment<'_> {
         sketch: &mut Sketch,
         scale: &ArrowScale,
         (body, root): (usize, Root),
-        v: DVec2,
         axes: [DVec2; 2],
     ) {
+        let v = self.before()[body];
         if scale.is_still(v) {
             return;
         }
@@ -89,16 +86,9 @@ impl Moment<'_> {
 
     /// Draws a final velocity with its components; without friction the component along t is
     /// unchanged, so it keeps its name.
-    fn split_after(
-        &self,
-        sketch: &mut Sketch,
-        scale: &ArrowScale,
-        (body, root): (usize, Root),
-        v: DVec2,
-        axes: [DVec2; 2],
-    ) {
-        let whole = self.velocity_after(body, v);
-        let [mut along, mut across] = self.parts_before(body, v, axes);
+    fn split_after(&self, sketch: &mut Sketch, scale: &ArrowScale, body: usize, axes: [DVec2; 2]) {
+        let whole = self.velocity_after(body);
+        let [mut along, mut across] = self.parts_before(body, whole.v, axes);
         if self.watch.outcome.friction_impulse != 0.0 {
             across.name = part_name(&whole.name, 'ₜ');
         }
@@ -106,14 +96,15 @@ impl Moment<'_> {
             true => whole.name.clone(),
             false => part_name(&whole.name, 'ₙ'),
         };
+        let root = self.root_after(body);
         sketch.split(scale, (body, root), whole, &[along, across]);
     }
 
     /// The arrow and name of a velocity after the collision.
-    fn velocity_after(&self, body: usize, v: DVec2) -> NamedVelocity {
+    fn velocity_after(&self, body: usize) -> NamedVelocity {
         NamedVelocity {
             name: self.names().after[body].to_owned(),
-            v,
+            v: self.after()[body],
             role: [Role::StrikerOut, Role::CoinOut][body],
         }
     }

@@ -12,21 +12,13 @@ use crate::widgets::picture::Pen;
 
 impl Moment<'_> {
     /// Draws the prediction, the final velocities, and the deflections.
-    pub(super) fn departures(
-        &self,
-        sketch: &mut Sketch,
-        scale: &ArrowScale,
-        [before, after]: [[DVec2; 2]; 2],
-        now: [DVec2; 2],
-    ) {
-        let frame = self.watch.frame;
+    pub(super) fn departures(&self, sketch: &mut Sketch, scale: &ArrowScale) {
+        let (before, after, frame) = (self.before(), self.after(), self.watch.frame);
         if self.shows(Overlay::Prediction) && frame == Frame::Laboratory {
             self.prediction(sketch);
         }
         if self.shows(Overlay::Velocities) {
-            let turns = self.sticks() && frame == Frame::CentreOfMass;
-            let at = if turns { now } else { self.stage.centres };
-            self.outgoing(sketch, scale, after, at);
+            self.outgoing(sketch, scale, after);
         }
         if !self.shows(Overlay::Angles) || !self.watch.outcome.hit() {
             return;
@@ -51,21 +43,20 @@ impl Moment<'_> {
     }
 
     /// Draws the velocities before the collision.
-    pub(super) fn incoming(
-        &self,
-        sketch: &mut Sketch,
-        scale: &ArrowScale,
-        before: [DVec2; 2],
-        at: [DVec2; 2],
-    ) {
-        let names = self.names().before;
+    pub(super) fn incoming(&self, sketch: &mut Sketch, scale: &ArrowScale, at: [DVec2; 2]) {
+        let (names, before) = (self.names().before, self.before());
         for body in 0..2 {
             sketch.incoming(scale, names[body], (body, at[body]), before[body]);
         }
     }
 
-    fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
-        if self.sticks() && self.watch.frame != Frame::CentreOfMass {
+    fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2]) {
+        let turns = self.sticks() && self.watch.frame == Frame::CentreOfMass;
+        let at = match turns {
+            true => self.now(),
+            false => self.stage.centres,
+        };
+        if self.sticks() && !turns {
             // If the discs move on together, only the velocity of their centre of mass is drawn.
             if !scale.is_still(after[0]) {
                 let collision = &self.stage.collision;
@@ -98,7 +89,8 @@ impl Moment<'_> {
     }
 
     /// Draws the triangle of momenta.
-    pub(super) fn triangle(&self, sketch: &mut Sketch, before: [DVec2; 2], after: [DVec2; 2]) {
+    pub(super) fn triangle(&self, sketch: &mut Sketch) {
+        let (before, after) = (self.before(), self.after());
         let collision = &self.stage.collision;
         let p1 = collision.striker.mass * after[0];
         let p2 = collision.target.mass * after[1];
