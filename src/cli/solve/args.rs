@@ -70,13 +70,11 @@ impl Args {
         let (problem, assumed) = self.problem.with_usual();
         let [speed, _] = problem.u1.unwrap_or_default();
         let solvable = number("speed", speed).and_then(|_| problem.solvable());
-        let solvable = solvable.map(|solvable| Solvable {
-            assumed: assumed.into_iter().chain(solvable.assumed).collect(),
-            ..solvable
-        });
-        solvable.map_err(|fault| {
+        let mut solvable = solvable.map_err(|fault| {
             let option = fault.field.replace('_', "-");
             Failure::input(format!("--{option}: {}", fault.message))
-        })
+        })?;
+        solvable.assumed.splice(..0, assumed);
+        Ok(solvable)
     }
 }

@@ -120,23 +120,19 @@ pub(super) struct Solvable {
 impl Problem {
     /// The problem, with default values for any mass or speed that it does not give, and a list
     /// of these assumptions. Lines of a batch must give the masses and u1.
-    pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
+    pub(super) fn with_usual(mut self) -> (Self, Vec<Cow<'static, str>>) {
         let mut assumed = Vec::new();
-        for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {
+        for (mass, name) in [(&mut self.m1_g, "m1"), (&mut self.m2_g, "m2")] {
             if mass.is_none() {
+                *mass = Some(MASS_G);
                 assumed.push(format!("{name} = {MASS_G} g").into());
             }
         }
         if self.u1.is_none() {
+            self.u1 = Some([SPEED, 0.0]);
             assumed.push(format!("u1 = {SPEED} m/s").into());
         }
-        let usual = Self {
-            m1_g: self.m1_g.or(Some(MASS_G)),
-            m2_g: self.m2_g.or(Some(MASS_G)),
-            u1: self.u1.or(Some([SPEED, 0.0])),
-            ..self
-        };
-        (usual, assumed)
+        (self, assumed)
     }
 
     /// Whether the radii matter even if the discs do not stick: a disc spins or may be set
