@@ -83,20 +83,17 @@ pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
         let distance = |a: &Point, b: &Point| a.at.distance_squared(b.at);
         distance(a1, a2).total_cmp(&distance(b1, b2))
     });
-    let times = best
-        .map(|it| it.0)
-        .into_iter()
-        .chain(nearest.map(|it| it.0.t));
-    let states: Vec<_> = times
-        .filter_map(|time| {
-            let [first, second] = sums.each_ref().map(|sums| sums.legs(time));
-            let ([c1, u1, v1], [c2, u2, v2]) = (first?, second?);
-            Some(State::new(time, [c1, c2], [[u1, v1], [u2, v2]], [0.0; 2]))
-        })
-        .collect();
+    let nearest = nearest.map(|it| it.0.t);
+    let state = |time: f64| {
+        let [first, second] = sums.each_ref().map(|sums| sums.legs(time));
+        let ([c1, u1, v1], [c2, u2, v2]) = (first?, second?);
+        Some(State::new(time, [c1, c2], [[u1, v1], [u2, v2]], [0.0; 2]))
+    };
+    let times = [best.map(|it| it.0), nearest].into_iter().flatten();
+    let states: Vec<_> = times.filter_map(state).collect();
     match states.is_empty() {
         false => Ok(states),
-        true => Err(refusal(tracks, nearest.map(|it| it.0.t))),
+        true => Err(refusal(tracks, nearest)),
     }
 }
 

@@ -438,18 +438,11 @@ impl TracksFit {
         Some(gradient)
     }
 
-    /// The residuals of a body's points as multiples of the noise: the time, x and y.
-    pub(super) fn residuals(&self, body: usize, points: &[Point]) -> Vec<(f64, [f64; 2])> {
-        let missed = |point: &Point| {
-            let missed = point.at - self.state.at(body, point.t, &self.model);
-            let noise = &self.noise[2 * body..];
-            let root = point.weight.sqrt();
-            (
-                point.t,
-                [root * missed.x / noise[0], root * missed.y / noise[1]],
-            )
-        };
-        points.iter().map(missed).collect()
+    /// The residual of a body's point, in x and y, as multiples of the noise.
+    fn residual(&self, body: usize, point: &Point) -> DVec2 {
+        let missed = point.at - self.state.at(body, point.t, &self.model);
+        let noise = DVec2::from_slice(&self.noise[2 * body..]);
+        point.weight.sqrt() * missed / noise
     }
 }
 
@@ -458,10 +451,8 @@ impl TracksFit {
 /// one leg to the other.
 fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     let times = || points.into_iter().flatten().map(|point| point.t);
-    let (first, last) = (
-        times().fold(f64::MAX, f64::min),
-        times().fold(f64::MIN, f64::max),
-    );
+    let first = times().fold(f64::MAX, f64::min);
+    let last = times().fold(f64::MIN, f64::max);
     let step = (last - first) / points[0].len().max(2) as f64;
     [-1.0, 0.0, 1.0].map(|by| {
         let mut start = *guess;
@@ -514,10 +505,11 @@ fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
     let (mut products, mut count) = (0.0, 0.0);
     for (body, points) in points.into_iter().enumerate() {
         for side in LEGS {
-            let residuals = fit.residuals(body, leg(points, fit.state.time(), side));
+            let points = leg(points, fit.state.time(), side).iter();
+            let residuals: Vec<_> = points.map(|point| fit.residual(body, point)).collect();
             for pair in residuals.windows(2) {
-                let [(_, a), (_, b)] = pair else { continue };
-                products += a[0] * b[0] + a[1] * b[1];
+                let [a, b] = pair else { continue };
+                products += a.dot(*b);
                 count += 2.0;
             }
         }
