@@ -6,7 +6,7 @@ mod view;
 use std::sync::Arc;
 
 use jiff::civil::Date;
-use strum::{EnumMessage, IntoStaticStr};
+use strum::{EnumCount, EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, View};
 use crate::class::ClassRound;
@@ -36,17 +36,47 @@ pub(crate) enum TeacherAction {
     Back,
 }
 
-/// What can be made, in the order of a lesson.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What can be made, in the order of a lesson. The message of each variant is its name in the list,
+/// and its doc comment is its description beside the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount, EnumMessage)]
 enum TeacherTask {
+    /// Teams at one keyboard, raised hands, paper cards, or each pupil on a device of their own. No
+    /// internet is needed.
+    #[strum(message = "A round with a class")]
     Class,
+    /// Two HTML files to print: the questions with space for answers, and the worked solutions with
+    /// the wrong answers to listen for. The code fixes the questions; the same code opens them on a
+    /// screen.
+    #[strum(message = "Worksheet with its key")]
     Worksheet,
+    /// Cards A to D for pupils to vote with, one sheet for each pupil, folded twice. An HTML file
+    /// to print.
+    #[strum(message = "Voting cards")]
     Cards,
+    /// The questions of a round for Moodle's question bank, with pictures, and feedback for each
+    /// misconception. In Moodle: Question bank, Import, Moodle XML format.
+    #[strum(message = "Questions for Moodle")]
     Moodle,
+    /// A SCORM 1.2 package, a ZIP file to upload. The platform opens the round for each pupil and
+    /// receives the score, the time and each answer. In Moodle: Add an activity, SCORM package.
+    #[strum(message = "Round for a learning platform")]
     Scorm,
+    /// An HTML page and two tables for a spreadsheet: the votes on every question, what wrong
+    /// answers suggest, and what to teach next.
+    #[strum(message = "Report of a class round")]
     Report,
+    /// An HTML page with the results of all pupils, from the files that they have handed in: by
+    /// pupil, by round and by question, and what the pupils believe.
+    #[strum(message = "Gradebook")]
     Gradebook,
+    /// All of carrom in one HTML file for phones, tablets and computers. It works without internet:
+    /// send it to pupils, or put it on the school's server. It includes your own levels, chapters
+    /// and questions, if carrom was started with them.
+    #[strum(message = "carrom as one file for browsers")]
     Page,
+    /// How to run a class, how to write questions, what is simulated, and more. HTML files to read
+    /// or print.
+    #[strum(message = "Guides")]
     Guide,
 }
 
@@ -64,6 +94,15 @@ impl TeacherTask {
         Self::Page,
         Self::Guide,
     ];
+
+    fn name(self) -> &'static str {
+        self.get_message().unwrap_or_default()
+    }
+
+    fn about(self) -> String {
+        let lines = self.get_documentation().unwrap_or_default().lines();
+        lines.collect::<Vec<_>>().join(" ")
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -73,15 +112,11 @@ pub(crate) struct Teacher {
     code: TextField,
     /// The reason why the code is refused.
     refused: Option<String>,
-    /// The index in [`SHEETS`].
-    sheets: usize,
-    /// The index in [`HandInFolder::ALL`].
-    folder: usize,
+    /// For each task, the index of the chosen value: in [`SHEETS`], [`HandInFolder::ALL`], `rounds`
+    /// or [`GUIDES`].
+    picked: [usize; TeacherTask::COUNT],
     /// The saved class rounds that can be read, newest first, each with its day if it is known.
     rounds: Vec<(Arc<ClassRound>, Option<Date>)>,
-    round: usize,
-    /// The index in [`GUIDES`].
-    guide: usize,
     /// The files last written for the chosen task, or the reasons why they were not written.
     written: Vec<(String, Role)>,
 }
@@ -90,15 +125,14 @@ impl Teacher {
     /// Requests the saved class rounds.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask(StoreRequest::List(FileKind::Class));
+        let mut picked = [0; TeacherTask::COUNT];
+        picked[TeacherTask::Cards as usize] = SHEETS.len() - 2;
         Self {
             tasks: ListView::default(),
             code: TextField::new("even12-7", LONGEST),
             refused: None,
-            sheets: SHEETS.len() - 2,
-            folder: 0,
+            picked,
             rounds: Vec::new(),
-            round: 0,
-            guide: 0,
             written: Vec::new(),
         }
     }
@@ -113,34 +147,35 @@ impl Teacher {
         matches!(self.task(), Worksheet | Moodle | Scorm)
     }
 
-    /// The chosen round of a class, with its day.
-    fn chosen_round(&self) -> Option<&(Arc<ClassRound>, Option<Date>)> {
-        self.rounds.get(self.round)
+    /// The index of the value that is chosen for the chosen task.
+    fn picked(&self) -> usize {
+        self.picked[self.task() as usize]
     }
 
-    /// How many values the chosen task offers, and the index of the chosen one.
-    fn choice(&mut self) -> (usize, &mut usize) {
+    /// The chosen round of a class, with its day.
+    fn chosen_round(&self) -> Option<&(Arc<ClassRound>, Option<Date>)> {
+        self.rounds.get(self.picked())
+    }
+
+    /// How many values the chosen task offers.
+    fn choices(&self) -> usize {
         match self.task() {
-            TeacherTask::Cards => (SHEETS.len(), &mut self.sheets),
-            TeacherTask::Gradebook => (HandInFolder::ALL.len(), &mut self.folder),
-            TeacherTask::Report => (self.rounds.len(), &mut self.round),
-            _ => (GUIDES.len(), &mut self.guide),
+            TeacherTask::Cards => SHEETS.len(),
+            TeacherTask::Gradebook => HandInFolder::ALL.len(),
+            TeacherTask::Report => self.rounds.len(),
+            TeacherTask::Guide => GUIDES.len(),
+            _ => 0,
         }
     }
 
     fn can_change(&self) -> bool {
-        use TeacherTask::{Cards, Gradebook, Guide, Report};
-        match self.task() {
-            Cards | Guide => true,
-            Gradebook => HandInFolder::ALL.len() > 1,
-            Report => self.rounds.len() > 1,
-            _ => false,
-        }
+        self.choices() > 1
     }
 
     fn change(&mut self, by: isize) {
-        let (count, at) = self.choice();
+        let (task, count) = (self.task(), self.choices());
         if count > 0 {
+            let at = &mut self.picked[task as usize];
             *at = (*at + count).saturating_add_signed(by) % count;
         }
         self.written.clear();
@@ -199,7 +234,7 @@ impl Teacher {
             }
             TeacherTask::Page => cx.export_page("carrom.html".into(), None),
             TeacherTask::Cards => {
-                let sheets = SHEETS[self.sheets];
+                let sheets = SHEETS[self.picked()];
                 cx.export("cards.html".into(), cards(sheets.into(), Paper::default()));
             }
             TeacherTask::Report => {
@@ -208,10 +243,10 @@ impl Teacher {
                 }
             }
             TeacherTask::Gradebook => {
-                cx.ask(StoreRequest::Gather(HandInFolder::ALL[self.folder]));
+                cx.ask(StoreRequest::Gather(HandInFolder::ALL[self.picked()]));
             }
             TeacherTask::Guide => {
-                let guide = &GUIDES[self.guide];
+                let guide = &GUIDES[self.picked()];
                 let name = format!("carrom-{}.html", guide.name);
                 cx.export(name, guide_page(guide.markdown));
             }
@@ -233,12 +268,7 @@ impl Screen for Teacher {
             TeacherTask::Class => "open",
             _ => "write it",
         };
-        // In a text field, these keys move the cursor to its ends.
-        let ends = match self.needs_code() {
-            true => [Key::Home, Key::End].as_slice(),
-            false => &[],
-        };
-        let list = ListView::keys(made).without_keys(ends);
+        let list = ListView::keys_of_form(made, self.needs_code());
         KeyTable::new("teacher")
             .with(list, List)
             .by([Key::Left, Key::Right], Change, [-1, 1], "change")
@@ -291,7 +321,7 @@ impl Screen for Teacher {
                         Some((Arc::new(round.clone()), it.day))
                     };
                     self.rounds = rounds.iter().filter_map(round).collect();
-                    self.round = 0;
+                    self.picked[TeacherTask::Report as usize] = 0;
                 }
                 StoreReply::Exported(Ok(places)) => self.done(places),
                 StoreReply::Gathered(Ok(book)) => {

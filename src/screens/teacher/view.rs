@@ -11,64 +11,6 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, Room, SplitLayout, areas};
 
-impl TeacherTask {
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Class => "A round with a class",
-            Self::Worksheet => "Worksheet with its key",
-            Self::Cards => "Voting cards",
-            Self::Moodle => "Questions for Moodle",
-            Self::Scorm => "Round for a learning platform",
-            Self::Report => "Report of a class round",
-            Self::Gradebook => "Gradebook",
-            Self::Page => "carrom as one file for browsers",
-            Self::Guide => "Guides",
-        }
-    }
-
-    const fn about(self) -> &'static str {
-        match self {
-            Self::Class => {
-                "Teams at one keyboard, raised hands, paper cards, or each pupil on a device of \
-                 their own. No internet is needed."
-            }
-            Self::Worksheet => {
-                "Two HTML files to print: the questions with space for answers, and the worked \
-                 solutions with the wrong answers to listen for. The code fixes the questions; the \
-                 same code opens them on a screen."
-            }
-            Self::Cards => {
-                "Cards A to D for pupils to vote with, one sheet for each pupil, folded twice. An \
-                 HTML file to print."
-            }
-            Self::Moodle => {
-                "The questions of a round for Moodle's question bank, with pictures, and feedback \
-                 for each misconception. In Moodle: Question bank, Import, Moodle XML format."
-            }
-            Self::Scorm => {
-                "A SCORM 1.2 package, a ZIP file to upload. The platform opens the round for each pupil and \
-                 receives the score, the time and each answer. In Moodle: Add an activity, SCORM package."
-            }
-            Self::Page => {
-                "All of carrom in one HTML file for phones, tablets and computers. It works without \
-                 internet: send it to pupils, or put it on the school's server. It includes your own levels, \
-                 chapters and questions, if carrom was started with them."
-            }
-            Self::Report => {
-                "An HTML page and two tables for a spreadsheet: the votes on every question, what \
-                 wrong answers suggest, and what to teach next."
-            }
-            Self::Gradebook => {
-                "An HTML page with the results of all pupils, from the files that they have handed in: \
-                 by pupil, by round and by question, and what the pupils believe."
-            }
-            Self::Guide => {
-                "How to run a class, how to write questions, what is simulated, and more. HTML files to read or print."
-            }
-        }
-    }
-}
-
 impl HandInFolder {
     const fn name(self) -> &'static str {
         match self {
@@ -139,14 +81,14 @@ fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
             }
         }
         TeacherTask::Cards => {
-            let sheets = counted(SHEETS[teacher.sheets].into(), "sheet");
+            let sheets = counted(SHEETS[teacher.picked()].into(), "sheet");
             panel.fact("for the class", sheets);
         }
         TeacherTask::Gradebook => {
-            panel.fact("files", HandInFolder::ALL[teacher.folder].name());
+            panel.fact("files", HandInFolder::ALL[teacher.picked()].name());
         }
         TeacherTask::Guide => {
-            let guide = &GUIDES[teacher.guide];
+            let guide = &GUIDES[teacher.picked()];
             panel.fact(guide.name, "");
             panel.paragraph(capital(guide.about), Role::Dim);
         }

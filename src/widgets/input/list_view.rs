@@ -59,6 +59,13 @@ impl ListView {
             .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
+    /// Like [`Self::keys`], for a list in which some lines are text fields: in such a line
+    /// (`is_text`), Home and End move the cursor to the ends of the text.
+    pub(crate) fn keys_of_form(open: &'static str, is_text: bool) -> KeyTable<ListAction> {
+        let ends: &[Key] = if is_text { &[Key::Home, Key::End] } else { &[] };
+        Self::keys(open).without_keys(ends)
+    }
+
     /// Carries out an action in a list of `lines` lines; returns `Done` with the index of the line
     /// to open.
     pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
