@@ -49,7 +49,7 @@ pub(crate) mod tracks;
 
 pub use answer::draw_question;
 pub(crate) use answer::{AnswerAction, AnswerInput, question_picture};
-pub(crate) use answer::{Asking, AskingAction, lettered};
+pub(crate) use answer::{Asking, AskingAction, lettered, write_beside_truth};
 pub use ink::gallery::gather;
 pub(crate) use input::{NumberEntry, NumberInput, RayInput, brief};
 pub use input::{Outcome, shown};

@@ -9,13 +9,13 @@ use super::link::Link;
 use crate::class::ClassStep;
 use crate::class::protocol::{PupilState, PupilStep};
 use crate::numbers;
-use crate::quiz::{Form, Illustration, Question, Response, letter};
+use crate::quiz::{Form, Illustration, Question, letter};
 use crate::screens::View;
 use crate::widgets::hit::Watch;
 use crate::widgets::panel::Panel;
-use crate::widgets::panels::said_and_true;
 use crate::widgets::{
     AnswerInput, Asking, AskingAction, Look, Role, SplitLayout, draw_question, lettered,
+    write_beside_truth,
 };
 
 /// The view, with the number of answers that can be handed in.
@@ -54,13 +54,14 @@ pub(super) fn view<'s>(
 
 /// Draws the picture of the question, with the vote or the result.
 fn draw(joined: &JoinedClass, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
-    match &joined.doing {
-        Doing::Watch(reveal) => match reveal.watch() {
-            Some(watch) => watch.picture(area).draw(buf, look),
-            None => draw_question(area, buf, look, question, None),
-        },
-        Doing::Vote(asking) => draw_question(area, buf, look, question, Some(asking.input())),
-        Doing::Look => draw_question(area, buf, look, question, None),
+    let (watch, input) = match &joined.doing {
+        Doing::Watch(reveal) => (reveal.watch(), None),
+        Doing::Vote(asking) => (None, Some(asking.input())),
+        Doing::Look => (None, None),
+    };
+    match watch {
+        Some(watch) => watch.picture(area).draw(buf, look),
+        None => draw_question(area, buf, look, question, input),
     }
 }
 
@@ -294,7 +295,6 @@ fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction
 /// The pupil's answer beside the true one, and the explanation.
 fn write_result(joined: &JoinedClass, question: &Question, panel: &mut Panel<JoinAction>) {
     let said = joined.said().map(|said| said.response);
-    let truth = question.form.truth();
     let revealed = joined.state.revealed.as_ref();
     if let Some(points) = revealed.and_then(|it| it.points) {
         let points = format!("{} of 10 points", numbers::points(points));
@@ -302,17 +302,7 @@ fn write_result(joined: &JoinedClass, question: &Question, panel: &mut Panel<Joi
         panel.gap();
     }
     let hit = question.picture.collision();
-    match (&question.form, said, hit) {
-        (Form::Rays { target, .. }, Some(Response::Rays(rays)), Some(hit)) => {
-            let names = ["striker", target].map(Some);
-            said_and_true(hit, &rays, names, true, panel);
-        }
-        (form, said, _) => {
-            let said = said.map_or("nothing".into(), |said| lettered(form, &said));
-            panel.marked("you    ", &said, Role::Predicted);
-            panel.marked("truth  ", lettered(form, &truth), Role::Good);
-        }
-    }
+    write_beside_truth(&question.form, hit, said, panel);
     panel.gap();
     panel.paragraph(&question.why, Role::Text);
     if let Some((points, place)) = joined.state.score {

@@ -3,12 +3,11 @@
 
 use super::{AnsweredQuestion, OpenQuestion, QuizAction};
 use crate::lessons::Book;
-use crate::quiz::{Confidence, Form, Grade, Response, explain};
+use crate::quiz::{Confidence, Grade, explain};
 use crate::screens::leads;
-use crate::widgets::hit::write_observation;
+use crate::widgets::hit::{Watch, write_observation};
 use crate::widgets::panel::Panel;
-use crate::widgets::panels::said_and_true;
-use crate::widgets::{Role, lettered};
+use crate::widgets::{Role, write_beside_truth};
 
 /// The question, and the answer so far.
 pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
@@ -90,7 +89,8 @@ pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Pane
         panel.meter("credit", grade.credit, percent);
     });
     panel.worth(4, Panel::gap);
-    answers(watched, panel);
+    let hit = watched.reveal.watch().map(Watch::collision);
+    write_beside_truth(&question.form, hit, Some(watched.answer.said), panel);
     panel.worth(5, Panel::gap);
     if let (Some(watch), Some(observed)) = (watched.reveal.watch(), &watched.observed) {
         write_observation(watch.collision(), observed, panel);
@@ -108,20 +108,4 @@ pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Pane
         };
         panel.prompt(next, QuizAction::GoOn);
     });
-}
-
-/// The answer beside the true one: the rays of a collision in a table, other answers as text.
-fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
-    let form = &watched.question.form;
-    match (watched.reveal.watch(), form, &watched.answer.said) {
-        (Some(watch), Form::Rays { target, .. }, Response::Rays(said)) => {
-            let names = ["striker", target].map(Some);
-            said_and_true(watch.collision(), said, names, true, panel);
-        }
-        // Without a collision to define the coin's side, rays are written as text.
-        (_, _, said) => {
-            panel.marked("you    ", lettered(form, said), Role::Predicted);
-            panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);
-        }
-    }
 }

@@ -5,9 +5,11 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{AnswerAction, AnswerInput};
 use crate::messages::Key;
+use crate::physics::Collision;
 use crate::quiz::{Confidence, Form, Response, letter};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
+use crate::widgets::panels::said_and_true;
 use crate::widgets::{Outcome, Role};
 
 /// A question being answered.
@@ -134,6 +136,27 @@ impl Asking {
         }
         if let Some(said) = self.input.said() {
             panel.paragraph(lettered(form, &said), Role::Predicted);
+        }
+    }
+}
+
+/// Writes an answer, if there is one, beside the true one: the rays of a collision in a table, other
+/// answers as text.
+pub(crate) fn write_beside_truth<A>(
+    form: &Form,
+    hit: Option<&Collision>,
+    said: Option<Response>,
+    panel: &mut Panel<A>,
+) {
+    match (form, hit, said) {
+        (Form::Rays { target, .. }, Some(hit), Some(Response::Rays(said))) => {
+            said_and_true(hit, &said, ["striker", target].map(Some), true, panel);
+        }
+        // Without a collision to define the coin's side, rays are written as text.
+        _ => {
+            let said = said.map_or("nothing".into(), |said| lettered(form, &said));
+            panel.marked("you    ", said, Role::Predicted);
+            panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);
         }
     }
 }
