@@ -31,7 +31,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::{KeptAction, KeptFiles};
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
-use crate::class::ClassRound;
+use crate::class::{ClassRound, WayOfVoting};
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::{Code, Round};
 use crate::widgets::big::{Align, Big};
@@ -131,13 +131,10 @@ impl ClassScene {
         ticket: u64,
         cx: &mut Context,
     ) -> Result<Self, String> {
-        match loaded {
-            Ok(round) => {
-                let play = ClassPlay::new(ClassRound::clone(round), ticket, cx);
-                Ok(Self::Play(Box::new(play)))
-            }
-            Err(reason) => Err(format!("The round cannot be resumed: {reason}.")),
-        }
+        let round = loaded.as_deref();
+        let round = round.map_err(|it| format!("The round cannot be resumed: {it}."))?;
+        let play = ClassPlay::new(round.clone(), ticket, cx);
+        Ok(Self::Play(Box::new(play)))
     }
 }
 
@@ -162,7 +159,7 @@ impl Class {
         let unfinished = Unfinished::ask(code.cloned(), name, nicknames, cx);
         let mut class = Self::new(None, &[], name, cx);
         class.set_up.nicknames = nicknames;
-        class.set_up.put(SetUpRow::Devices);
+        class.set_up.put(SetUpRow::Start(WayOfVoting::Devices));
         class.scene = ClassScene::Unfinished(unfinished);
         class
     }

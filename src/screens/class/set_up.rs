@@ -6,7 +6,7 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::ClassScene;
 use super::earlier::ROUNDS;
-use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
+use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, WayOfVoting, team_names};
 use crate::messages::Key;
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Round};
@@ -52,12 +52,8 @@ pub(super) enum SetUpRow {
     /// Whether carrom gives nicknames to pupils' devices.
     Nicknames,
     Kind(RoundKind),
-    /// Starts the round.
-    Start,
-    /// Starts the round with a count of hands or cards.
-    Tally,
-    /// Starts the round with everyone on their own device.
-    Devices,
+    /// Starts the round, in which the class votes in this way.
+    Start(WayOfVoting),
     /// The list of earlier rounds.
     Earlier,
 }
@@ -98,7 +94,7 @@ impl SetUp {
         let at = match (code, teams.is_empty()) {
             (_, true) => SetUpRow::Add,
             (None, false) => SetUpRow::Kind(RoundKind::Mixed),
-            (Some(_), false) => SetUpRow::Start,
+            (Some(_), false) => SetUpRow::Start(WayOfVoting::Teams),
         };
         let teams = teams.iter().map(|name| TextField::new(name, LONGEST));
         let mut set_up = Self {
@@ -156,12 +152,8 @@ impl SetUp {
         }
         rows.extend([SetUpRow::Class, SetUpRow::Nicknames]);
         rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
-        rows.extend([
-            SetUpRow::Start,
-            SetUpRow::Tally,
-            SetUpRow::Devices,
-            SetUpRow::Earlier,
-        ]);
+        rows.extend(WayOfVoting::VARIANTS.iter().copied().map(SetUpRow::Start));
+        rows.push(SetUpRow::Earlier);
         rows
     }
 
@@ -182,19 +174,14 @@ impl SetUp {
         let enter = match at {
             SetUpRow::Team(_) | SetUpRow::Add | SetUpRow::Class => "next",
             SetUpRow::Kind(_) => "choose it",
-            SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
+            SetUpRow::Start(_) => "start",
             SetUpRow::Nicknames => "switch",
             SetUpRow::Earlier => "open the list",
-        };
-        // In a text field, these keys move the cursor to the start or the end of the text.
-        let ends: &[Key] = match self.has_text() {
-            true => &[Key::Home, Key::End],
-            false => &[],
         };
         KeyTable::new("class")
             .by([Key::Left, Key::Right], Topic, [-1, 1], "another topic")
             .when(at == SetUpRow::Kind(RoundKind::Topic))
-            .with(ListView::keys(enter).without_keys(ends), List)
+            .with(ListView::keys_of_form(enter, self.has_text()), List)
             .on(Key::Delete, Remove, "remove it")
             .when(matches!(at, SetUpRow::Team(_)))
             .on('p', Preview, "see the questions")
@@ -263,7 +250,7 @@ impl SetUp {
                 // previewed.
                 self.code = TextField::new(&code.to_string(), LONGEST);
                 self.kind = RoundKind::Code;
-                self.put(SetUpRow::Start);
+                self.put(SetUpRow::Start(WayOfVoting::Teams));
                 Outcome::Done(ClassScene::Preview(Round::of(code)))
             }
         }
@@ -337,9 +324,9 @@ impl SetUp {
             }
             SetUpRow::Kind(kind) => {
                 self.kind = kind;
-                self.put(SetUpRow::Start);
+                self.put(SetUpRow::Start(WayOfVoting::Teams));
             }
-            SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => return self.start(at, cx),
+            SetUpRow::Start(way) => return self.start(way, cx),
             SetUpRow::Nicknames => self.nicknames = !self.nicknames,
             SetUpRow::Earlier => {
                 return Outcome::Done(ClassScene::Earlier(KeptFiles::ask(ROUNDS, cx)));
@@ -348,12 +335,12 @@ impl SetUp {
         Outcome::Used
     }
 
-    fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<ClassScene> {
+    fn start(&mut self, way: WayOfVoting, cx: &mut Context) -> Outcome<ClassScene> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
             // Counted hands are anonymous, and pupils on devices enter their names themselves, so
             // the teams are not needed.
-            Err(_) if at != SetUpRow::Start => Vec::new(),
+            Err(_) if way != WayOfVoting::Teams => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
                 return Outcome::Used;
@@ -362,10 +349,10 @@ impl SetUp {
         let Some(code) = self.chosen_code(cx) else {
             return Outcome::Used;
         };
-        let round = match at {
-            SetUpRow::Devices => ClassRound::with_devices(code).with_nicknames(self.nicknames),
-            SetUpRow::Tally => ClassRound::with_tally(code),
-            _ => ClassRound::new(code, names),
+        let round = match way {
+            WayOfVoting::Teams => ClassRound::new(code, names),
+            WayOfVoting::Tally => ClassRound::with_tally(code),
+            WayOfVoting::Devices => ClassRound::with_devices(code).with_nicknames(self.nicknames),
         };
         let round = round.of_class(self.class.text());
         Outcome::Done(ClassScene::play(round, cx))

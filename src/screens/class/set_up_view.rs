@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::ClassAction;
 use super::set_up::{RoundKind, SetUp, SetUpAction, SetUpRow};
-use crate::class::MOST_TEAMS;
+use crate::class::{MOST_TEAMS, WayOfVoting};
 use crate::quiz::CourseKind;
 use crate::screens::View;
 use crate::screens::view::WIDEST;
@@ -60,43 +60,38 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
         let (before, after) = field.map(around).unwrap_or_default();
         panel.text_field(label, (&before, &after), chosen, Some(action));
     };
-    match row {
-        SetUpRow::Team(team) => typed(&format!("team {}", team + 1), set_up.teams.get(team)),
-        SetUpRow::Add => typed("add a team: type its name", None),
-        SetUpRow::Class if set_up.class.text().is_empty() => {
-            typed("class name in exports: none", None);
+    let (name, side) = match row {
+        SetUpRow::Team(team) => {
+            return typed(&format!("team {}", team + 1), set_up.teams.get(team));
         }
-        SetUpRow::Class => typed("class", Some(&set_up.class)),
+        SetUpRow::Add => return typed("add a team: type its name", None),
+        SetUpRow::Class if set_up.class.text().is_empty() => {
+            return typed("class name in exports: none", None);
+        }
+        SetUpRow::Class => return typed("class", Some(&set_up.class)),
         SetUpRow::Kind(kind) => {
             let sign = if set_up.kind == kind { '●' } else { '○' };
             let (name, about) = words(set_up, kind, chosen);
+            let name = format!("{sign} {name}");
             match kind {
-                RoundKind::Code => typed(&format!("{sign} {name}: "), Some(&set_up.code)),
-                _ => {
-                    let name = format!("{sign} {name}");
-                    panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
-                }
+                RoundKind::Code => typed(&format!("{name}: "), Some(&set_up.code)),
+                _ => panel.row((name, Role::Text), ("", Role::Dim), chosen, action),
             }
-            panel.marked("    ", about, Role::Dim);
+            return panel.marked("    ", about, Role::Dim);
         }
         SetUpRow::Nicknames => {
-            let name = if set_up.nicknames { "on" } else { "off" };
-            let label = ("nicknames given automatically", Role::Text);
-            panel.row(label, (name, Role::Dim), chosen, action);
+            let state = if set_up.nicknames { "on" } else { "off" };
+            ("nicknames given automatically", state)
         }
-        SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices | SetUpRow::Earlier => {
-            let name = match row {
-                SetUpRow::Start => {
-                    panel.gap();
-                    "Start with these teams"
-                }
-                SetUpRow::Tally => "Start with hands or cards",
-                SetUpRow::Devices => "Start on pupils' own devices",
-                _ => "Resume an earlier round",
-            };
-            panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
+        SetUpRow::Start(WayOfVoting::Teams) => {
+            panel.gap();
+            ("Start with these teams", "")
         }
-    }
+        SetUpRow::Start(WayOfVoting::Tally) => ("Start with hands or cards", ""),
+        SetUpRow::Start(WayOfVoting::Devices) => ("Start on pupils' own devices", ""),
+        SetUpRow::Earlier => ("Resume an earlier round", ""),
+    };
+    panel.row((name, Role::Text), (side, Role::Dim), chosen, action);
 }
 
 /// The name and description of a kind of round.

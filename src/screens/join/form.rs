@@ -86,11 +86,8 @@ impl JoinForm {
     }
 
     pub(super) fn keys(&self) -> KeyTable<ListAction> {
-        let (enter, ends): (_, &[Key]) = match self.at() == self.fields.len() {
-            true => ("join", &[]),
-            false => ("next", &[Key::Home, Key::End, Key::Char(' ')]),
-        };
-        ListView::keys(enter).without_keys(ends)
+        let is_text = self.at() < self.fields.len();
+        ListView::keys_of_form(if is_text { "next" } else { "join" }, is_text)
     }
 
     /// Handles a key that edits text; returns whether the key was used.
