@@ -110,6 +110,11 @@ impl<'s, A: Copy> View<'s, A> {
         Self::new(layout, Part::Nothing, panel)
     }
 
+    /// A panel of running text alone.
+    pub(super) fn text(panel: Panel<A>) -> Self {
+        Self::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+    }
+
     fn new(
         layout: impl Fn(Room) -> SplitLayout + 's,
         first: Part<'s, A>,

@@ -8,11 +8,10 @@ use crate::messages::{FileKind, Kept, StoreAnswer, StoreReply};
 use crate::numbers::counted;
 use crate::progress::long_day;
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
-use crate::screens::view::WIDEST;
 use crate::screens::{Context, View};
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
-use crate::widgets::{Role, SplitLayout, text};
+use crate::widgets::{Role, text};
 
 /// The maximum width, in columns, of the names in the description of a round.
 const NAMES: usize = 180;
@@ -64,7 +63,7 @@ pub(super) fn view(rounds: &KeptFiles<ClassRound>) -> View<'_, ClassAction> {
         let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
         panel.prompt("resume it where it stopped", take_up);
     });
-    View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+    View::text(panel)
 }
 
 /// A round in one line: its class, its code, the number of participants, and the day.

@@ -11,11 +11,10 @@ use crate::numbers::fixed;
 use crate::progress::words::percent;
 use crate::quiz::Question;
 use crate::screens::View;
-use crate::screens::view::WIDEST;
+use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
-use crate::widgets::{Role, SplitLayout};
 
 /// A page after the last question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr)]
@@ -59,7 +58,7 @@ impl EndPage {
             Self::Held => write_held(play.round(), &mut panel),
             Self::Items => write_items(play.round(), &mut panel),
         }
-        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+        View::text(panel)
     }
 }
 

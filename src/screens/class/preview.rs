@@ -3,9 +3,8 @@
 use super::ClassAction;
 use crate::quiz::Round;
 use crate::screens::View;
-use crate::screens::view::WIDEST;
+use crate::widgets::Role;
 use crate::widgets::panel::Panel;
-use crate::widgets::{Role, SplitLayout};
 
 /// The list of a round's questions, without their answers.
 pub(super) fn view(round: &Round) -> View<'_, ClassAction> {
@@ -17,5 +16,5 @@ pub(super) fn view(round: &Round) -> View<'_, ClassAction> {
         panel.marked("    ", kind, Role::Dim);
         panel.gap();
     }
-    View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+    View::text(panel)
 }

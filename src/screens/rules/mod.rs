@@ -2,13 +2,12 @@
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::view::WIDEST;
 use super::{Context, Next, Route, Screen, View};
 use crate::game::{RuleLine, Rules};
 use crate::messages::Key;
+use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
-use crate::widgets::{Role, SplitLayout};
 
 /// What the keys do on the page of rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -81,6 +80,6 @@ impl Screen for RulesScreen {
             };
             panel.prompt(prompt, RulesAction::Show(rules));
         }
-        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+        View::text(panel)
     }
 }

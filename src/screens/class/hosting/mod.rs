@@ -9,9 +9,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::ClassAction;
 use crate::class::Session;
 use crate::messages::Key;
-use crate::screens::view::WIDEST;
 use crate::screens::{Context, View};
-use crate::widgets::SplitLayout;
 use crate::widgets::input::{KeyTable, ListAction};
 use people::People;
 
@@ -141,10 +139,7 @@ impl HostPage {
     pub(super) fn view<'s>(&'s self, session: &'s Session, cx: &Context) -> View<'s, ClassAction> {
         match self {
             Self::Joining => joining::view(session, cx),
-            Self::People(people) => {
-                let panel = people.panel(session);
-                View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
-            }
+            Self::People(people) => View::text(people.panel(session)),
         }
     }
 }
