@@ -268,6 +268,22 @@ struct TrueHit {
     spins: [f64; 2],
 }
 
+impl TrueHit {
+    fn collision(self) -> Option<Collision> {
+        let is_good = self.spins.iter().all(|spin| spin.is_finite());
+        let rims = Rims {
+            friction: self.rim_friction.max(0.0),
+            spins: self.spins,
+        };
+        Some(Collision {
+            restitution: self.restitution.clamp(0.0, 1.0),
+            bond: if self.sticks { Bond::Stick } else { Bond::Slip },
+            rims: if is_good { rims } else { Rims::default() },
+            ..self.seen.collision()?
+        })
+    }
+}
+
 impl RevealedTruth {
     /// The right answer to a question, its explanation, and the points for an answer.
     pub fn new(question: &Question, why: String, points: Option<f64>) -> Self {
@@ -300,30 +316,15 @@ impl RevealedTruth {
             _ => return None,
         }
         asked.why.clone_from(&self.why);
-        let true_hit = self.hit.and_then(|hit| {
-            let restitution = hit.restitution.clamp(0.0, 1.0);
-            let bond = if hit.sticks { Bond::Stick } else { Bond::Slip };
-            let is_good = hit.spins.iter().all(|spin| spin.is_finite());
-            let rims = Rims {
-                friction: hit.rim_friction.max(0.0),
-                spins: hit.spins,
-            };
-            Some(Collision {
-                restitution,
-                bond,
-                rims: if is_good { rims } else { Rims::default() },
-                ..hit.seen.collision()?
-            })
-        });
-        if let (
-            Illustration::Before { collision, .. } | Illustration::After { collision },
-            Some(hit),
-        ) = (&mut asked.picture, true_hit)
-        {
-            *collision = hit;
-        }
-        if let (Form::Shot(aim), Some(hit)) = (&mut asked.form, true_hit) {
-            aim.collision = hit;
+        if let Some(hit) = self.hit.and_then(TrueHit::collision) {
+            if let Illustration::Before { collision, .. } | Illustration::After { collision } =
+                &mut asked.picture
+            {
+                *collision = hit;
+            }
+            if let Form::Shot(aim) = &mut asked.form {
+                aim.collision = hit;
+            }
         }
         Some(asked)
     }

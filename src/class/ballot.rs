@@ -49,11 +49,9 @@ impl Said {
 
     /// Reads a vote from its text; `None` if the text is invalid.
     pub fn parse(text: &str) -> Option<Self> {
-        let sure = text
-            .split_once(' ')
-            .and_then(|(first, rest)| Some((Confidence::with_id(first)?, rest)));
-        let (sure, rest) = sure.map_or((None, text), |(sure, rest)| (Some(sure), rest));
-        let response = Response::parse(rest)?;
+        let (first, rest) = text.split_once(' ').unwrap_or_default();
+        let sure = Confidence::with_id(first);
+        let response = Response::parse(if sure.is_some() { rest } else { text })?;
         Some(Self { response, sure })
     }
 }

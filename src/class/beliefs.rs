@@ -22,16 +22,12 @@ pub(crate) struct ClassBelief {
 /// and, in a tie, by the number after it, then by the evidence.
 pub(crate) fn beliefs(round: &ClassRound) -> Vec<ClassBelief> {
     // Counted hands are anonymous, so their evidence is weighed question by question.
-    let all = match round.way() {
-        WayOfVoting::Tally => round.questions().len(),
-        WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
-    };
-    let clues = Vote::BOTH.map(|vote| {
-        let each = (0..all).map(|number| match round.way() {
-            WayOfVoting::Tally => round.clues(number, vote),
-            WayOfVoting::Teams | WayOfVoting::Devices => round.clues_of(number, vote),
-        });
-        each.collect::<Vec<_>>()
+    let clues = Vote::BOTH.map(|vote| -> Vec<_> {
+        let (questions, people) = (0..round.questions().len(), 0..round.participants().len());
+        match round.way() {
+            WayOfVoting::Tally => questions.map(|it| round.clues(it, vote)).collect(),
+            _ => people.map(|it| round.clues_of(it, vote)).collect(),
+        }
     });
     let of = |misconception| {
         let [first, second] = clues.each_ref().map(|teams| {

@@ -6,7 +6,7 @@ use super::ballot::Vote;
 use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::progress::{Tally, discrimination};
-use crate::quiz::{Form, Misconception, Question, Response, evidence, letter};
+use crate::quiz::{Misconception, Question, Response, evidence, letter};
 
 /// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,14 +62,9 @@ fn gain(right: [Option<f64>; 2]) -> Option<f64> {
 
 /// The number of votes for each answer, in each of the two votes.
 fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
-    let asked = round.questions().get(question);
-    let has_choices = asked.is_some_and(|it| matches!(it.form, Form::Choice { .. }));
-    let given = has_choices || round.way() == WayOfVoting::Tally;
-    let choices = match given {
-        true => round.choices(question),
-        false => Vec::new(),
-    };
-    let mut counts: Vec<_> = choices.into_iter().map(|choice| (choice, [0, 0])).collect();
+    let offered = round.offered(question);
+    let is_sorted = offered.is_empty();
+    let mut counts: Vec<_> = offered.into_iter().map(|choice| (choice, [0, 0])).collect();
     for vote in Vote::BOTH {
         for said in round.said(question, vote) {
             let at = counts.iter().position(|(it, _)| *it == said);
@@ -80,7 +75,7 @@ fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
             counts[at].1[vote as usize] += 1;
         }
     }
-    if !given {
+    if is_sorted {
         counts.sort_by_key(|(_, counts)| Reverse(*counts));
     }
     counts

@@ -29,9 +29,8 @@ impl JoinCode {
 
 impl fmt::Display for JoinCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0
-            .iter()
-            .try_for_each(|it| write!(f, "{}", char::from(*it)))
+        let letters = self.0.map(char::from);
+        f.write_str(&String::from_iter(letters))
     }
 }
 
@@ -95,11 +94,8 @@ impl FromStr for SeatToken {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let is_hex = text.len() == 32 && text.bytes().all(|it| it.is_ascii_hexdigit());
-        let number = is_hex.then(|| u128::from_str_radix(text, 16).ok());
-        number
-            .flatten()
-            .map(Self)
-            .ok_or("expected 32 hexadecimal digits")
+        let number = u128::from_str_radix(text, 16).ok().filter(|_| is_hex);
+        number.map(Self).ok_or("expected 32 hexadecimal digits")
     }
 }
 

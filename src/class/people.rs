@@ -130,13 +130,10 @@ impl ClassRound {
     /// Lets a removed participant join again.
     pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
         let all = self.joining.as_mut().map(|joining| &mut joining.removed);
-        match all.filter(|all| removed < all.len()) {
-            Some(all) => {
-                all.remove(removed);
-                Ok(())
-            }
-            None => Err("expected a participant who was removed".into()),
-        }
+        let all = all.filter(|all| removed < all.len());
+        all.ok_or("expected a participant who was removed")?
+            .remove(removed);
+        Ok(())
     }
 
     /// Frees a participant's seat and deletes their votes; they may join again.

@@ -29,14 +29,9 @@ impl<'r> PupilView<'r> {
         if let Some(Form::Choice { options, .. }) = question.map(|it| &it.form)
             && is([ClassStep::Talk, ClassStep::SecondVote])
         {
-            spread = vec![0; options.len()];
-            for said in round.said(number, Vote::First) {
-                if let Response::Choice(choice) = said
-                    && let Some(count) = spread.get_mut(choice)
-                {
-                    *count += 1;
-                }
-            }
+            let choices = (0..options.len()).map(Response::Choice);
+            let counts = choices.map(|it| round.votes_for(number, Vote::First, it) as u32);
+            spread = counts.collect();
         }
         let mut scores = vec![None; round.participants().len()];
         if [PupilStep::Asked(ClassStep::Scores), PupilStep::End].contains(&step) {

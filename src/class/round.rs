@@ -419,6 +419,11 @@ impl ClassRound {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
 
+    /// How often an answer was given in a vote.
+    pub fn votes_for(&self, question: usize, vote: Vote, said: Response) -> usize {
+        self.said(question, vote).filter(|it| *it == said).count()
+    }
+
     /// Like [`Self::said`], but as [`Answer`]s, including the confidence of voters who were asked
     /// for it.
     fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
@@ -480,10 +485,8 @@ impl ClassRound {
 
     fn has_votes(&self, question: usize) -> bool {
         let given = self.ballots(question).any(|it| it.counts().is_some());
-        given
-            || Vote::BOTH
-                .iter()
-                .any(|vote| self.tally(question, *vote).is_some())
+        let mut votes = Vote::BOTH.into_iter();
+        given || votes.any(|vote| self.tally(question, vote).is_some())
     }
 
     /// The grade of a vote; `None` if there is no vote.

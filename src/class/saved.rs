@@ -75,6 +75,12 @@ fn whole(bytes: &[u8]) -> &[u8] {
     }
 }
 
+/// All values of a field, each with its name in files.
+fn named<T: VariantArray + Copy + Into<&'static str>>() -> Vec<(&'static str, T)> {
+    let all = T::VARIANTS.iter().copied();
+    all.map(|it| (it.into(), it)).collect()
+}
+
 impl ClassRound {
     /// The largest file that is read, in bytes.
     pub const LARGEST_FILE: usize = LARGEST;
@@ -181,8 +187,7 @@ impl ClassRound {
             None => Err("expected the code of a round, such as mixed-7".into()),
         });
         let way = fields.or("way", WayOfVoting::default(), |name| {
-            let ways = WayOfVoting::VARIANTS.iter().map(|way| (way.into(), *way));
-            fields.word(name, &ways.collect::<Vec<_>>())
+            fields.word(name, &named())
         });
         let class = fields.or("class", String::new(), |name| {
             fields.text_as(name, |class| match tidy(class) {
@@ -258,8 +263,7 @@ impl ClassRound {
             Some(fields.whole(name, &expected, 1..=last + 1)? - 1)
         });
         let step = fields.or("step", ClassStep::default(), |name| {
-            let steps = ClassStep::VARIANTS.iter().map(|step| (step.into(), *step));
-            fields.word(name, &steps.collect::<Vec<_>>())
+            fields.word(name, &named())
         });
         self.go(ClassPlace {
             question: question?,

@@ -32,6 +32,16 @@ impl ClassRound {
         choices
     }
 
+    /// The choices that everyone has to choose from: those of the question or, if hands or cards are
+    /// counted, its [`choices`](Self::choices); empty if voters give answers of their own.
+    pub fn offered(&self, question: usize) -> Vec<Response> {
+        let form = self.questions().get(question).map(|it| &it.form);
+        match (self.way(), form) {
+            (WayOfVoting::Tally, _) | (_, Some(Form::Choice { .. })) => self.choices(question),
+            _ => Vec::new(),
+        }
+    }
+
     /// The number of votes for each of the [`choices`](Self::choices); `None` if nothing was
     /// counted.
     pub fn tally(&self, question: usize, vote: Vote) -> Option<&[u32]> {

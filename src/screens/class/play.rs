@@ -280,50 +280,46 @@ impl ClassPlay {
                 .with(page, ClassAction::Hosting)
                 .with(keys.on('l', Light, "dark or light"), ClassAction::Round);
         }
-        let (table, read) = match &self.phase {
+        let table = match &self.phase {
             ClassPhase::Vote(votes) => {
                 let table = table.with(votes.keys(self.stage.round()), ClassAction::Vote);
                 if votes.is_in_booth() {
                     let keys = keys.on('p', Pause, "pause").on('l', Light, "dark or light");
                     return table.with(keys, ClassAction::Round);
                 }
-                (table, false)
+                table
             }
-            ClassPhase::Tally(_) => (table.with(tally::keys(), ClassAction::Count), false),
+            ClassPhase::Tally(_) => table.with(tally::keys(), ClassAction::Count),
             ClassPhase::Shot(shown) => {
                 // The replay uses the space bar and, until its explanation is complete, Enter.
+                let on = forward("the scores").when(!shown.reveal.is_explaining());
                 let on = match shown.reveal.watch() {
-                    Some(_) => {
-                        KeyTable::new("class").on(Key::Enter, RoundAction::Forward, "the scores")
-                    }
-                    None => forward("the scores"),
+                    Some(_) => on.without_keys(&[Key::Char(' ')]),
+                    None => on,
                 };
-                let on = on.when(!shown.reveal.is_explaining());
                 let table = table.with(on, ClassAction::Round);
-                (table.with(shown.reveal.keys(), ClassAction::Watch), false)
+                table.with(shown.reveal.keys(), ClassAction::Watch)
             }
             ClassPhase::End(page) => {
                 let on = forward("next page").when(*page != EndPage::Items);
                 let table = table.with(on, ClassAction::Round);
-                (table.with(EndPage::keys(), ClassAction::End), false)
+                table.with(EndPage::keys(), ClassAction::End)
             }
-            ClassPhase::Look => {
-                let on = self.keys_to_look();
-                let reads = !matches!(self.stage.step(), ClassStep::Talk | ClassStep::Scores);
-                (table.with(on, ClassAction::Round), reads)
-            }
+            ClassPhase::Look => table.with(self.keys_to_look(), ClassAction::Round),
         };
-        let words_alone = keys.on('z', WordsAlone, "text only").when(read);
-        let table = table.with(words_alone, ClassAction::Round);
+        let step = self.stage.step();
+        let reads = matches!(self.phase, ClassPhase::Look)
+            && !matches!(step, ClassStep::Talk | ClassStep::Scores);
+        let is_board = match &self.phase {
+            ClassPhase::End(page) => *page == EndPage::Board,
+            _ => step == ClassStep::Scores,
+        };
+        let words_alone = keys.on('z', WordsAlone, "text only").when(reads);
+        let mut table = table.with(words_alone, ClassAction::Round);
         let is_hosted = self.stage.session.is_hosted();
-        let table = match is_hosted {
-            true => table.with(hosting::step_keys(), ClassAction::Hosting),
-            false => table,
-        };
-        let is_board = matches!(
-            (&self.phase, self.stage.step()),
-            (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores)
-        );
+        if is_hosted {
+            table = table.with(hosting::step_keys(), ClassAction::Hosting);
+        }
         let names = match self.stage.names_shown {
             true => "no names",
             false => "names",

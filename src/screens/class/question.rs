@@ -2,7 +2,7 @@
 
 use super::ClassAction;
 use super::stage::Stage;
-use crate::class::{Vote, WayOfVoting};
+use crate::class::Vote;
 use crate::quiz::{Form, Illustration, Question, Response, letter};
 use crate::widgets::hit::degrees;
 use crate::widgets::panel::{Beside, Panel};
@@ -18,17 +18,14 @@ pub(super) fn write(
 ) {
     let votes = vote.map(|vote| play.round().said(play.number(), vote).collect::<Vec<_>>());
     panel.large_text(question.text.as_str(), Role::Title);
-    for (i, choice) in choices(play, question).iter().enumerate() {
-        let words = format!("{}: {}", letter(i), in_short(question, choice));
-        let count = votes.as_ref().map(|votes| {
+    for (i, choice) in play.round().offered(play.number()).iter().enumerate() {
+        let mut words = format!("{}: {}", letter(i), in_short(question, choice));
+        let share = votes.as_ref().map(|votes| {
             let count = votes.iter().filter(|it| *it == choice).count();
-            (count, count as f64 / votes.len().max(1) as f64)
+            words += &format!(" ({count})");
+            count as f64 / votes.len().max(1) as f64
         });
-        let words = match count {
-            None => words,
-            Some((count, _)) => format!("{words} ({count})"),
-        };
-        panel.large_choice(words, count.map(|(_, share)| share), picks(i));
+        panel.large_choice(words, share, picks(i));
     }
 }
 
@@ -43,16 +40,6 @@ fn in_short(question: &Question, choice: &Response) -> String {
             format!("S {striker}, C {target}")
         }
         _ => question.form.words(choice),
-    }
-}
-
-/// The choices of a question. If hands or cards are counted and a question has no choices, its
-/// possible answers are used instead.
-fn choices(play: &Stage, question: &Question) -> Vec<Response> {
-    let has_any = matches!(question.form, Form::Choice { .. });
-    match has_any || play.round().way() == WayOfVoting::Tally {
-        true => play.round().choices(play.number()),
-        false => Vec::new(),
     }
 }
 

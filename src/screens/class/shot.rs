@@ -136,16 +136,8 @@ fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<S
 /// The most frequent wrong choice that fits no misconception but has feedback. In a tie, the first.
 fn commonest_reply(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let replies = &round.questions().get(question)?.replies;
-    let said: Vec<Response> = round.said(question, vote).collect();
-    let chosen = |choice| {
-        said.iter()
-            .filter(|it| **it == Response::Choice(choice))
-            .count()
-    };
-    let counts = replies
-        .keys()
-        .rev()
-        .map(|choice| (*choice, chosen(*choice)));
+    let count = |choice| round.votes_for(question, vote, Response::Choice(choice));
+    let counts = replies.keys().rev().map(|choice| (*choice, count(*choice)));
     let (choice, count) = counts.max_by_key(|(_, count)| *count)?;
     (count > 0).then(|| SharedAnswer {
         name: format!("answer {}", letter(choice)),

@@ -47,9 +47,7 @@ fn rows(session: &Session) -> Vec<PersonRow> {
     };
     let mut people: Vec<_> = round.participants().iter().collect();
     people.sort_by_key(voted);
-    let people = people
-        .into_iter()
-        .map(|it| PersonRow::Person(it.name().into()));
+    let people = people.iter().map(|it| PersonRow::Person(it.name().into()));
     let removed = round.removed().map(|name| PersonRow::Removed(name.into()));
     people.chain(removed).collect()
 }
