@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use carrom::class::protocol::ClientMessage;
 use carrom::class::{SeatToken, Vote};
-use carrom::messages::{HostNews, Input, JoinNews, Key, Mouse, MouseKind};
+use carrom::messages::{HostNews, Input, JoinNews, Key, Mouse, MouseKind, Newcomer};
 use carrom::screens::Settings;
 use carrom::shells::Headless;
 use carrom::widgets::input::KeyRow;
@@ -210,14 +210,14 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
     let connection = chance.random_range(0..12);
     match chance.random_range(0..8) {
         0 => HostNews::Gone(connection),
-        1 | 2 => HostNews::Came {
+        1 | 2 => HostNews::Came(Newcomer {
             connection,
             name: any_text(chance, 30),
             seat: (chance.random_bool(0.3)).then(|| SeatToken::of(chance.random_range(0..12))),
             fresh: SeatToken::of(chance.random_range(0..12)),
             address: Ipv4Addr::from(chance.random_range(0..3)).into(),
             at: Duration::from_millis(chance.random_range(0..1000)),
-        },
+        }),
         _ => {
             let said = [
                 "sure rays 60 still",
@@ -241,9 +241,14 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
 fn join_news(chance: &mut Pcg64Mcg) -> JoinNews {
     match chance.random_range(0..5) {
         0 => JoinNews::Reached,
-        1 => JoinNews::Heard(any_text(chance, 30)),
+        1 => JoinNews::Heard {
+            text: any_text(chance, 30),
+        },
         2 => JoinNews::Lost,
-        3 => JoinNews::Remembered(any_text(chance, 30), any_text(chance, 30)),
+        3 => JoinNews::Remembered {
+            seat: any_text(chance, 30),
+            name: any_text(chance, 30),
+        },
         _ => JoinNews::Awake,
     }
 }

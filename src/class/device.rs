@@ -1,5 +1,6 @@
 //! The connection to a participant's device.
 
+use std::collections::BTreeSet;
 use std::net::IpAddr;
 
 use super::ballot::Vote;
@@ -30,6 +31,11 @@ pub(super) struct Device {
 }
 
 impl Device {
+    /// The device's connection, if it is one of these.
+    pub(super) fn among(&self, connections: &BTreeSet<ConnectionId>) -> Option<ConnectionId> {
+        self.connection.filter(|it| connections.contains(it))
+    }
+
     /// This device if it is connected, including hand-ins by the earlier one; otherwise the earlier
     /// one.
     pub(super) fn or_earlier(self, earlier: &Self) -> Self {

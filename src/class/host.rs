@@ -31,24 +31,28 @@ pub enum HostNews {
     /// How pupils can join, or the reason why they cannot.
     Opened(Result<JoinDetails, String>),
     /// A pupil who has the right code is asking to join.
-    Came {
-        /// The connection.
-        connection: ConnectionId,
-        /// The name as it was typed.
-        name: String,
-        /// Their seat token, if they joined before.
-        seat: Option<SeatToken>,
-        /// The seat token that they get if they are new.
-        fresh: SeatToken,
-        /// The address of the device.
-        address: IpAddr,
-        /// The time of the request, counted from a fixed moment.
-        at: Duration,
-    },
+    Came(Newcomer),
     /// A pupil who has joined has sent this message.
     Said(ConnectionId, ClientMessage),
     /// A pupil has left, or cannot be reached.
     Gone(ConnectionId),
+}
+
+/// A pupil who is asking to join.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Newcomer {
+    /// The connection.
+    pub connection: ConnectionId,
+    /// The name as it was typed.
+    pub name: String,
+    /// Their seat token, if they joined before.
+    pub seat: Option<SeatToken>,
+    /// The seat token that they get if they are new.
+    pub fresh: SeatToken,
+    /// The address of the device.
+    pub address: IpAddr,
+    /// The time of the request, counted from a fixed moment.
+    pub at: Duration,
 }
 
 /// How pupils can join.

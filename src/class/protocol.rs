@@ -20,6 +20,7 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use thiserror::Error;
 
 use super::asked::{AskedQuestion, RevealedTruth};
 use super::ballot::{Said, Vote};
@@ -102,62 +103,52 @@ impl ClientMessage {
     }
 }
 
-/// Why a pupil is refused or removed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+/// Why a pupil is refused or removed, with the message for the pupil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Error)]
 #[serde(rename_all = "kebab-case")]
 pub enum Refusal {
     /// The code is wrong.
+    #[error("This is not the code of the class. Look at the board again.")]
     Code,
     /// The class is full.
+    #[error("The class is full.")]
     Full,
     /// The name has no visible letter.
+    #[error("Type a name with at least one visible character.")]
     Name,
     /// The device uses another version of the protocol.
+    #[error(
+        "Your carrom and the teacher's are different versions. Open the page from the address on \
+         the board."
+    )]
     Version,
     /// The message is not valid.
+    #[error("{NOT_UNDERSTOOD}")]
     Format,
     /// The device sent another message before it asked to join, or did not ask in time.
+    #[error("{NOT_UNDERSTOOD}")]
     Join,
     /// The pupil has joined on another device or in another tab.
+    #[error("You have joined on another device or in another tab. Continue there.")]
     Elsewhere,
     /// Nobody can join at the moment, or the round is over.
+    #[error("Nobody can join the class at the moment.")]
     Closed,
     /// The teacher has removed the pupil.
+    #[error("Your teacher has removed you from this round. Ask your teacher to let you in again.")]
     Kicked,
     /// Too many devices at this address have joined, or there were too many wrong codes.
+    #[error(
+        "Too many devices on your network are joining at once or typing wrong codes. carrom tries \
+         again automatically."
+    )]
     Later,
 }
 
-impl Refusal {
-    /// The message for the pupil.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Code => "This is not the code of the class. Look at the board again.",
-            Self::Full => "The class is full.",
-            Self::Name => "Type a name with at least one visible character.",
-            Self::Version => {
-                "Your carrom and the teacher's are different versions. Open the page from the \
-                 address on the board."
-            }
-            Self::Format | Self::Join => {
-                "The teacher's carrom did not understand yours. Open the page from the address \
-                 on the board."
-            }
-            Self::Elsewhere => {
-                "You have joined on another device or in another tab. Continue there."
-            }
-            Self::Closed => "Nobody can join the class at the moment.",
-            Self::Kicked => {
-                "Your teacher has removed you from this round. Ask your teacher to let you in \
-                 again."
-            }
-            Self::Later => {
-                "Too many devices on your network are joining at once or typing wrong codes. \
-                 carrom tries again automatically."
-            }
-        }
-    }
+const NOT_UNDERSTOOD: &str = "The teacher's carrom did not understand yours. Open the page from \
+                              the address on the board.";
 
+impl Refusal {
     /// Whether another attempt may succeed without any action by the user.
     pub const fn is_passing(self) -> bool {
         matches!(self, Self::Join | Self::Later)
@@ -245,30 +236,22 @@ pub struct HandedIn {
     pub kept: Result<usize, NotTaken>,
 }
 
-/// Why the host refuses a hand-in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+/// Why the host refuses a hand-in, with the message for the pupil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Error)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotTaken {
     /// The file is not a valid hand-in, is from a newer version, or contains no answers.
+    #[error(
+        "The teacher's carrom could not read what yours sent. Open the page from the address on \
+         the board."
+    )]
     Format,
     /// This pupil has made too many hand-ins, or those of the class are too large in all.
+    #[error("The teacher's carrom accepts no more hand-ins today.")]
     TooMany,
     /// The hand-in could not be written.
+    #[error("The teacher's carrom could not save it. Tell your teacher.")]
     NotWritten,
-}
-
-impl NotTaken {
-    /// The message for the pupil.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Format => {
-                "The teacher's carrom could not read what yours sent. Open the page from the \
-                 address on the board."
-            }
-            Self::TooMany => "The teacher's carrom accepts no more hand-ins today.",
-            Self::NotWritten => "The teacher's carrom could not save it. Tell your teacher.",
-        }
-    }
 }
 
 /// The phase of a round, for a pupil.

@@ -13,8 +13,7 @@ use serde_json::Value;
 
 use super::ballot::{Said, Vote};
 use super::device::ConnectionId;
-use super::host::{HostCall, HostNews, JoinDetails};
-use super::join_code::SeatToken;
+use super::host::{HostCall, HostNews, JoinDetails, Newcomer};
 use super::limits::{Addresses, NEW_SEATS};
 use super::protocol::{ClientMessage, HandedIn, NotTaken, PupilStep, Refusal};
 use super::pupil_view::PupilView;
@@ -39,7 +38,8 @@ pub struct Session {
     over: bool,
     /// Whether the class is still gathering.
     gathers: bool,
-    hosting: HostingState,
+    /// How pupils can join, or the reason why they cannot; `None` while the server is starting.
+    hosting: Option<Result<JoinDetails, String>>,
     /// Whether the round is closed to newcomers.
     shut: bool,
     /// Whether the round has a file: a round that nobody has joined needs none.
@@ -53,17 +53,6 @@ pub struct Session {
     /// How long pupils have been able to join without anybody joining.
     waited: Duration,
     effects: Vec<SessionEffect>,
-}
-
-/// Whether pupils can join.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum HostingState {
-    /// The server is starting, if one is needed.
-    Opening,
-    /// Pupils can join.
-    Open(JoinDetails),
-    /// Pupils cannot join, for this reason.
-    Failed(String),
 }
 
 /// The changes that are being saved, and the connections that wait for them.
@@ -111,7 +100,7 @@ impl Session {
         Self {
             over: false,
             gathers: is_hosted,
-            hosting: HostingState::Opening,
+            hosting: None,
             shut: false,
             has_file: round.join_code().is_some() || round.is_begun(),
             keeping: Keeping::default(),
@@ -158,19 +147,14 @@ impl Session {
         self.round.way() == WayOfVoting::Devices
     }
 
-    /// Whether the last question is over.
-    pub fn is_over(&self) -> bool {
-        self.over
-    }
-
     /// Whether the class is still gathering.
     pub fn gathers(&self) -> bool {
         self.gathers
     }
 
-    /// Whether pupils can join.
-    pub fn hosting(&self) -> &HostingState {
-        &self.hosting
+    /// How pupils can join, or the reason why they cannot; `None` while the server is starting.
+    pub fn hosting(&self) -> Option<&Result<JoinDetails, String>> {
+        self.hosting.as_ref()
     }
 
     /// Whether the round is closed to newcomers.
@@ -213,16 +197,11 @@ impl Session {
         let question = self.round.place().question;
         let voted = |it: &Participant| it.ballot(question).said(vote).is_some();
         let all = self.round.participants().iter();
-        let all: Vec<_> = all.filter(|it| it.is_present() || voted(it)).collect();
+        let all = all.filter(|it| it.is_present() || voted(it)).count();
+        let count = self.round.voted(question, vote);
         match vote {
-            Vote::First => {
-                let count = all.iter().filter(|it| voted(it)).count();
-                format!("{count} of {} have voted", all.len())
-            }
-            Vote::Second => {
-                let changed = self.round.voted(question, Vote::Second);
-                format!("{changed} of {} have voted again", all.len())
-            }
+            Vote::First => format!("{count} of {all} have voted"),
+            Vote::Second => format!("{count} of {all} have voted again"),
         }
     }
 
@@ -296,20 +275,10 @@ impl Session {
     pub fn take_news(&mut self, news: &[HostNews]) {
         for it in news {
             match it {
-                HostNews::Opened(Ok(details)) => self.opened(details),
-                HostNews::Opened(Err(reason)) => {
-                    self.hosting = HostingState::Failed(reason.clone());
-                }
-                HostNews::Came {
-                    connection,
-                    name,
-                    seat,
-                    fresh,
-                    address,
-                    at,
-                } => match self.place_for(*seat, name, *fresh, (*address, *at)) {
-                    Ok((person, is_new)) => self.seat(person, *connection, *address, is_new),
-                    Err(why) => self.refuse(Some(*connection), why),
+                HostNews::Opened(opened) => self.opened(opened),
+                HostNews::Came(newcomer) => match self.place_for(newcomer) {
+                    Ok((person, is_new)) => self.seat(person, newcomer, is_new),
+                    Err(why) => self.refuse(Some(newcomer.connection), why),
                 },
                 HostNews::Said(connection, ClientMessage::Vote { q, vote, said, n }) => {
                     self.voted(*connection, (*q, *vote), said, *n);
@@ -329,8 +298,10 @@ impl Session {
         self.go_on();
     }
 
-    fn opened(&mut self, hosting: &JoinDetails) {
-        let address = hosting.addresses.first().copied();
+    fn opened(&mut self, opened: &Result<JoinDetails, String>) {
+        self.hosting = Some(opened.clone());
+        let Ok(details) = opened else { return };
+        let address = details.addresses.first().copied();
         let before = self.round.address().filter(|it| Some(*it) != address);
         if let (Some(before), Some(now)) = (before, address) {
             self.effects.push(SessionEffect::Tell(format!(
@@ -338,8 +309,7 @@ impl Session {
                  themselves: ask your pupils to open the new address."
             )));
         }
-        self.round_mut().open(hosting.code, address);
-        self.hosting = HostingState::Open(hosting.clone());
+        self.round_mut().open(details.code, address);
         self.save();
     }
 
@@ -354,17 +324,12 @@ impl Session {
     }
 
     /// The seat of a participant, and whether it is new.
-    fn place_for(
-        &mut self,
-        seat: Option<SeatToken>,
-        name: &str,
-        fresh: SeatToken,
-        (address, at): (IpAddr, Duration),
-    ) -> Result<(usize, bool), Refusal> {
-        if let Some(person) = seat.and_then(|seat| self.round.seat(seat)) {
+    fn place_for(&mut self, newcomer: &Newcomer) -> Result<(usize, bool), Refusal> {
+        let Newcomer { address, at, .. } = *newcomer;
+        if let Some(person) = newcomer.seat.and_then(|seat| self.round.seat(seat)) {
             return Ok((person, false));
         }
-        if self.round.is_removed(seat, name) {
+        if self.round.is_removed(newcomer.seat, &newcomer.name) {
             return Err(Refusal::Kicked);
         }
         if self.shut || self.step() == PupilStep::End {
@@ -373,12 +338,13 @@ impl Session {
         if !self.new_seats.has_one(address, at) {
             return Err(Refusal::Later);
         }
-        let name = (self.round.newcomers_name(name, fresh)).ok_or(Refusal::Name)?;
+        let name = self.round.newcomers_name(&newcomer.name, newcomer.fresh);
+        let name = name.ok_or(Refusal::Name)?;
         if self.round.participants().len() >= self.round.way().most() {
             let person = self.who_gives_way(address).ok_or(Refusal::Full)?;
             self.change_people(&ClassChange::Vacate { person });
         }
-        let seat = Some(fresh);
+        let seat = Some(newcomer.fresh);
         self.change(ClassChange::Join { seat, name })
             .map_err(|_| Refusal::Full)?;
         self.new_seats.take(address, at);
@@ -386,10 +352,11 @@ impl Session {
     }
 
     /// Connects a device to a seat and disconnects the previous one.
-    fn seat(&mut self, person: usize, connection: ConnectionId, address: IpAddr, is_new: bool) {
+    fn seat(&mut self, person: usize, newcomer: &Newcomer, is_new: bool) {
+        let connection = newcomer.connection;
         let device = &mut self.participant(person).device;
         device.rev = 0;
-        device.address = Some(address);
+        device.address = Some(newcomer.address);
         let before = device.connection.replace(connection);
         self.refuse(before, Refusal::Elsewhere);
         match is_new {
@@ -406,10 +373,8 @@ impl Session {
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
-            let same = people
-                .iter()
-                .filter(|it| it.device.address == by.device.address);
-            same.count()
+            let addresses = people.iter().map(|it| it.device.address);
+            addresses.filter(|it| *it == by.device.address).count()
         };
         let idle = people.iter().enumerate().filter(|(_, it)| {
             let holds_most = 2 * held(it) > people.len() && it.device.address != Some(address);
@@ -553,11 +518,8 @@ impl Session {
 
     /// Notifies everybody of a new step once everything is saved.
     fn moved(&mut self) {
-        let connections = self
-            .round
-            .participants()
-            .iter()
-            .filter_map(|it| it.device.connection);
+        let people = self.round.participants().iter();
+        let connections = people.filter_map(|it| it.device.connection);
         connections.for_each(|connection| self.keeping.wait(connection));
         self.go_on();
     }
@@ -584,23 +546,14 @@ impl Session {
             return;
         }
         for it in &mut self.round_mut().participants {
-            let is_connected = it
-                .device
-                .connection
-                .is_some_and(|connection| connections.contains(&connection));
-            it.device.rev += u64::from(is_connected);
+            it.device.rev += u64::from(it.device.among(connections).is_some());
         }
         let revealed = PupilView::new(&self.round, self.step(), self.with_points());
         let people = self.round.participants().iter().enumerate();
         let states = people.filter_map(|(person, it)| {
-            let connection = it
-                .device
-                .connection
-                .filter(|connection| connections.contains(connection))?;
-            Some((connection, revealed.state(person, it)?))
+            Some((it.device.among(connections)?, revealed.state(person, it)?))
         });
-        let states = states.collect();
-        self.host(HostCall::Tell(states));
+        self.host(HostCall::Tell(states.collect()));
     }
 
     /// Applies a change to the list of people; a pupil who loses their seat receives the reason.
@@ -661,7 +614,7 @@ impl Session {
 
     /// Whether pupils can join but nobody has joined yet.
     fn waits(&self) -> bool {
-        matches!(self.hosting, HostingState::Open(_)) && self.round.participants().is_empty()
+        matches!(self.hosting, Some(Ok(_))) && self.round.participants().is_empty()
     }
 
     /// Whether nobody has joined for so long that something may be wrong with the connection.

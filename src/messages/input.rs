@@ -2,6 +2,7 @@
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
+use strum::EnumString;
 
 use super::{HostNews, JoinNews, Key, StoreAnswer};
 
@@ -107,8 +108,9 @@ impl Mouse {
     }
 }
 
-/// What the mouse did; only the main button is used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What the mouse did; only the main button is used. A page sends its name, such as "scroll-up".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 pub enum MouseKind {
     /// The button was pressed.
     Down,

@@ -10,7 +10,7 @@ mod input;
 mod key;
 mod store;
 
-pub use crate::class::{ConnectionId, HostCall, HostNews, JoinDetails};
+pub use crate::class::{ConnectionId, HostCall, HostNews, JoinDetails, Newcomer};
 pub use class::{JoinCall, JoinNews};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};

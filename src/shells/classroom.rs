@@ -1,13 +1,15 @@
 //! A class in one process: the teacher's app and the apps of pupils, on simulated time and without
 //! a network. The apps exchange exactly the messages that they would send over a network.
 
-use std::net::{Ipv4Addr, SocketAddrV4};
+use std::net::{IpAddr, Ipv4Addr, SocketAddrV4};
 use std::time::Duration;
 
 use crate::app::App;
 use crate::class::protocol::{ClientMessage, HostMessage, Refusal};
 use crate::class::{JoinCode, SeatToken};
-use crate::messages::{ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews};
+use crate::messages::{
+    ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews, Newcomer,
+};
 use crate::shells::Headless;
 
 /// The address of the class for all pupils.
@@ -31,8 +33,8 @@ struct PupilDevice {
     connection: Option<ConnectionId>,
     /// Whether the host can be reached.
     reaches: bool,
-    /// The pupil's seat token and name.
-    seat: Option<(String, String)>,
+    /// What is remembered of an earlier connection.
+    remembered: Option<JoinNews>,
 }
 
 impl PupilDevice {
@@ -71,7 +73,7 @@ impl Classroom {
             game: Headless::new(app, columns, rows),
             connection: None,
             reaches: true,
-            seat: None,
+            remembered: None,
         });
         self.settle();
         Who::Pupil(self.pupils.len() - 1)
@@ -193,23 +195,14 @@ impl Classroom {
     }
 
     fn at(&mut self, connection: ConnectionId) -> Option<&mut PupilDevice> {
-        self.pupils
-            .iter_mut()
-            .find(|it| it.connection == Some(connection))
-    }
-
-    /// The address of a pupil's device, different for each pupil.
-    fn address_of(&self, connection: ConnectionId) -> Ipv4Addr {
-        let at = self
-            .pupils
-            .iter()
-            .position(|it| it.connection == Some(connection));
-        Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)
+        let mut all = self.pupils.iter_mut();
+        all.find(|it| it.connection == Some(connection))
     }
 
     fn send(&mut self, connection: ConnectionId, message: &HostMessage) {
         if let Some(pupil) = self.at(connection) {
-            pupil.hears(JoinNews::Heard(message.to_text()));
+            let text = message.to_text();
+            pupil.hears(JoinNews::Heard { text });
         }
     }
 
@@ -217,32 +210,32 @@ impl Classroom {
         let code = self.code;
         let pupil = &mut self.pupils[at];
         match call {
-            JoinCall::Dial(_) => {
+            JoinCall::Dial { .. } => {
                 let before = pupil.connection.take();
-                if let Some((seat, name)) = pupil.seat.clone() {
-                    pupil.hears(JoinNews::Remembered(seat, name));
+                if let Some(remembered) = pupil.remembered.clone() {
+                    pupil.hears(remembered);
                 }
-                let reached = pupil.reaches && code.is_some();
-                let news = match reached {
-                    true => {
-                        self.connections += 1;
-                        pupil.connection = Some(self.connections);
-                        JoinNews::Reached
-                    }
-                    false => JoinNews::Lost,
-                };
-                pupil.hears(news);
+                if pupil.reaches && code.is_some() {
+                    self.connections += 1;
+                    pupil.connection = Some(self.connections);
+                    pupil.hears(JoinNews::Reached);
+                } else {
+                    pupil.hears(JoinNews::Lost);
+                }
                 if let Some(connection) = before {
                     self.notify_host(HostNews::Gone(connection));
                 }
             }
-            JoinCall::Say(text) => {
+            JoinCall::Say { text } => {
                 if let Some(connection) = pupil.connection {
-                    self.hear(connection, text);
+                    // The address of the device, different for each pupil.
+                    let address = Ipv4Addr::from(10 << 24 | (at as u32 + 1));
+                    self.hear(connection, address.into(), text);
                 }
             }
             JoinCall::Remember { seat, name, .. } => {
-                pupil.seat = Some((seat.clone(), name.clone()));
+                let (seat, name) = (seat.clone(), name.clone());
+                pupil.remembered = Some(JoinNews::Remembered { seat, name });
             }
             JoinCall::HangUp => {
                 if let Some(connection) = pupil.connection.take() {
@@ -253,7 +246,7 @@ impl Classroom {
     }
 
     /// Passes a message to the host, as its server would.
-    fn hear(&mut self, connection: ConnectionId, text: &str) {
+    fn hear(&mut self, connection: ConnectionId, address: IpAddr, text: &str) {
         let no = |why| HostMessage::No { why };
         let news = match ClientMessage::read(text) {
             Ok(ClientMessage::Join {
@@ -262,14 +255,14 @@ impl Classroom {
                 if code.parse().ok() != self.code {
                     return self.send(connection, &no(Refusal::Code));
                 }
-                HostNews::Came {
+                HostNews::Came(Newcomer {
                     connection,
                     name,
                     seat,
                     fresh: SeatToken::of(u128::from(connection)),
-                    address: self.address_of(connection).into(),
+                    address,
                     at: self.passed,
-                }
+                })
             }
             Ok(message) => HostNews::Said(connection, message),
             Err(why) => return self.send(connection, &no(why)),

@@ -9,9 +9,7 @@ use std::thread;
 use std::time::Duration;
 
 use tungstenite::client::client_with_config;
-use tungstenite::protocol::WebSocketConfig;
-use tungstenite::protocol::frame::coding::{Data, OpCode};
-use tungstenite::protocol::frame::{Frame, FrameHeader};
+use tungstenite::protocol::{Role, WebSocketConfig};
 use tungstenite::{Message, WebSocket};
 
 use super::lock;
@@ -29,10 +27,11 @@ pub(crate) struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
     /// The number of the current connection; results of earlier ones are ignored.
     call: Arc<AtomicU64>,
-    wire: Arc<Mutex<Option<ClientStream>>>,
+    /// The current connection, to write to; a thread reads from it.
+    writer: Arc<Mutex<Option<WebSocket<ClientStream>>>>,
     address: String,
-    /// Seat tokens and names, by address.
-    seats: BTreeMap<String, (String, String)>,
+    /// What is remembered of earlier connections, by address.
+    seats: BTreeMap<String, JoinNews>,
 }
 
 /// A connection that writes whole messages.
@@ -66,7 +65,7 @@ impl Client {
         Self {
             hear: Arc::new(hear),
             call: Arc::default(),
-            wire: Arc::default(),
+            writer: Arc::default(),
             address: String::new(),
             seats: BTreeMap::new(),
         }
@@ -75,18 +74,19 @@ impl Client {
     /// Carries out a screen's request.
     pub(crate) fn call(&mut self, call: &JoinCall) {
         match call {
-            JoinCall::Dial(address) => {
+            JoinCall::Dial { address } => {
                 self.hang_up();
                 self.address.clone_from(address);
-                if let Some((seat, name)) = self.seats.get(address) {
-                    (self.hear)(JoinNews::Remembered(seat.clone(), name.clone()));
+                if let Some(remembered) = self.seats.get(address) {
+                    (self.hear)(remembered.clone());
                 }
                 self.dial();
             }
-            JoinCall::Say(text) => self.say(text),
+            JoinCall::Say { text } => self.say(text),
             JoinCall::Remember { seat, name, .. } => {
-                let seat = (seat.clone(), name.clone());
-                self.seats.insert(self.address.clone(), seat);
+                let (seat, name) = (seat.clone(), name.clone());
+                let remembered = JoinNews::Remembered { seat, name };
+                self.seats.insert(self.address.clone(), remembered);
             }
             JoinCall::HangUp => self.hang_up(),
         }
@@ -94,14 +94,14 @@ impl Client {
 
     fn hang_up(&self) {
         self.call.fetch_add(1, Ordering::SeqCst);
-        if let Some(wire) = lock(&self.wire).take() {
-            let _ = wire.stream.shutdown(Shutdown::Both);
+        if let Some(writer) = lock(&self.writer).take() {
+            let _ = writer.get_ref().stream.shutdown(Shutdown::Both);
         }
     }
 
     fn dial(&self) {
         let (hear, address) = (Arc::clone(&self.hear), self.address.clone());
-        let (calls, place) = (Arc::clone(&self.call), Arc::clone(&self.wire));
+        let (calls, place) = (Arc::clone(&self.call), Arc::clone(&self.writer));
         let own = calls.load(Ordering::SeqCst);
         let say = move |news| {
             if calls.load(Ordering::SeqCst) == own {
@@ -109,8 +109,9 @@ impl Client {
             }
         };
         let talk = move || {
-            if let Ok((mut socket, wire)) = connect(&address) {
-                *lock(&place) = Some(wire);
+            if let Ok(mut socket) = connect(&address) {
+                let wire = socket.get_ref().clone();
+                *lock(&place) = Some(WebSocket::from_raw_socket(wire, Role::Client, None));
                 say(JoinNews::Reached);
                 listen(&mut socket, &say);
             }
@@ -123,19 +124,9 @@ impl Client {
     }
 
     fn say(&self, text: &str) {
-        let wire = lock(&self.wire).clone();
-        let mut bytes = Vec::new();
-        let header = FrameHeader {
-            opcode: OpCode::Data(Data::Text),
-            mask: Some(mask()),
-            ..FrameHeader::default()
-        };
-        let frame = Frame::from_payload(header, text.to_owned().into());
-        if let Some(mut wire) = wire
-            && frame.format(&mut bytes).is_ok()
-        {
+        if let Some(writer) = lock(&self.writer).as_mut() {
             // The reading thread notices that the connection is closed.
-            let _ = wire.write(&bytes);
+            let _ = writer.send(Message::text(text));
         }
     }
 }
@@ -146,14 +137,7 @@ impl Drop for Client {
     }
 }
 
-/// The mask of a WebSocket frame: new random bytes for each frame.
-fn mask() -> [u8; 4] {
-    let mut mask = [0; 4];
-    let _ = getrandom::fill(&mut mask);
-    mask
-}
-
-fn connect(address: &str) -> io::Result<(WebSocket<ClientStream>, ClientStream)> {
+fn connect(address: &str) -> io::Result<WebSocket<ClientStream>> {
     let connect = |place| TcpStream::connect_timeout(&place, PATIENCE).ok();
     let stream = address.to_socket_addrs()?.find_map(connect);
     let stream = stream.ok_or(ErrorKind::NotConnected)?;
@@ -169,17 +153,20 @@ fn connect(address: &str) -> io::Result<(WebSocket<ClientStream>, ClientStream)>
         .max_message_size(Some(LARGEST_STATE))
         .max_frame_size(Some(LARGEST_STATE));
     let link = format!("ws://{address}/class");
-    let (socket, _) = client_with_config(link, wire.clone(), Some(config))
+    let (socket, _) = client_with_config(link, wire, Some(config))
         .map_err(|error| io::Error::other(error.to_string()))?;
-    wire.stream.set_read_timeout(Some(GONE))?;
-    Ok((socket, wire))
+    socket.get_ref().stream.set_read_timeout(Some(GONE))?;
+    Ok(socket)
 }
 
 /// Receives the host's messages until the connection is lost.
 fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) {
     while let Ok(message) = socket.read() {
         match message {
-            Message::Text(text) => say(JoinNews::Heard(text.to_string())),
+            Message::Text(text) => {
+                let text = text.to_string();
+                say(JoinNews::Heard { text });
+            }
             Message::Ping(_) => {
                 // This sends the queued reply at once.
                 let _ = socket.flush();

@@ -11,7 +11,9 @@ use carrom::class::protocol::{ClientMessage, Refusal};
 use carrom::class::{JoinCode, SeatToken, Vote};
 use carrom::cli;
 use carrom::gradebook::HandIn;
-use carrom::messages::{ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews};
+use carrom::messages::{
+    ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews, Newcomer,
+};
 use carrom::quiz::Code;
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
@@ -747,14 +749,14 @@ impl Crowd {
     fn come(&mut self, address: u32) -> (ConnectionId, Vec<(ConnectionId, Refusal)>) {
         self.connections += 1;
         let connection = self.connections;
-        self.hear(HostNews::Came {
+        self.hear(HostNews::Came(Newcomer {
             connection,
             name: format!("Pupil {connection}"),
             seat: None,
             fresh: SeatToken::of(connection.into()),
             address: Ipv4Addr::from(address).into(),
             at: Duration::from_secs(self.now_s),
-        });
+        }));
         let calls = self.host.take_host_calls();
         let sent_away = calls.iter().filter_map(|call| match call {
             HostCall::Refuse(connection, why) => Some((*connection, *why)),
@@ -872,12 +874,16 @@ fn a_device_that_has_to_wait_shows_this_and_tries_again() {
     let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
     game.press("<Enter>");
     for _ in 0..3 {
-        let dial = JoinCall::Dial("192.168.43.117:8090".into());
+        let address = "192.168.43.117:8090".into();
+        let dial = JoinCall::Dial { address };
         assert_eq!(game.take_join_calls(), [dial]);
         game.input(&Input::Joined(JoinNews::Reached));
-        assert!(matches!(&game.take_join_calls()[..], [JoinCall::Say(_)]));
-        let no = JoinNews::Heard(r#"{"t":"no","why":"later"}"#.into());
-        game.input(&Input::Joined(no));
+        assert!(matches!(
+            &game.take_join_calls()[..],
+            [JoinCall::Say { .. }]
+        ));
+        let text = r#"{"t":"no","why":"later"}"#.into();
+        game.input(&Input::Joined(JoinNews::Heard { text }));
         let screen = game.screen();
         assert!(screen.contains("automatically"), "{screen}");
         assert_eq!(game.take_join_calls(), []);

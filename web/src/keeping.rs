@@ -216,11 +216,9 @@ impl PageStorage {
         let is_new = |(path, bytes): &(&String, &Vec<u8>)| self.safe.get(*path) != Some(*bytes);
         let put = self.given.iter().filter(is_new);
         let put = put.map(|(path, bytes)| (path.clone(), bytes.clone()));
-        let gone = self
-            .safe
-            .keys()
-            .filter(|path| !self.given.contains_key(*path));
-        Ok((put.collect(), gone.cloned().collect()))
+        let gone = self.safe.keys().cloned();
+        let gone = gone.filter(|path| !self.given.contains_key(path));
+        Ok((put.collect(), gone.collect()))
     }
 
     /// Receives the result of a save, with the reason if it failed; returns the answers. Changes

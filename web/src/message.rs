@@ -1,5 +1,6 @@
 //! The page's commands and the replies: JSON, then a zero byte and the bytes of files.
 
+use carrom::messages::{JoinCall, JoinNews};
 use carrom::widgets::{PictureSizes, Role, Section, SheetKind};
 use serde::{Deserialize, Serialize};
 
@@ -107,7 +108,7 @@ pub enum Command {
     /// There is news from the class.
     Joined {
         /// The news.
-        news: News,
+        news: JoinNews,
     },
     /// Send the report of a round, for a learning platform.
     Round {
@@ -121,54 +122,6 @@ pub enum Command {
         /// The text of the notice.
         words: String,
     },
-}
-
-/// News from the class whose host served this page.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(tag = "is", rename_all = "kebab-case")]
-pub enum News {
-    /// The connection to the host is open.
-    Reached,
-    /// The host has sent a message.
-    Heard {
-        /// The message.
-        text: String,
-    },
-    /// The host cannot be reached, or can no longer be reached.
-    Lost,
-    /// The browser remembers an earlier visit.
-    Remembered {
-        /// The token that returns the pupil to their seat.
-        seat: String,
-        /// The pupil's name.
-        name: String,
-    },
-    /// The page was suspended and is active again.
-    Awake,
-}
-
-/// A request to the page on behalf of a pupil in a class.
-#[derive(Debug, Clone, Serialize)]
-#[serde(tag = "do", rename_all = "kebab-case")]
-pub enum ClassCall {
-    /// Connect to the host that served the page.
-    Dial,
-    /// Send a message to the host.
-    Say {
-        /// The message.
-        text: String,
-    },
-    /// Remember the pupil.
-    Remember {
-        /// The token that returns the pupil to their seat.
-        seat: String,
-        /// The pupil's name.
-        name: String,
-        /// The code of the class.
-        code: String,
-    },
-    /// Close the connection.
-    HangUp,
 }
 
 /// How to open carrom.
@@ -216,7 +169,7 @@ pub struct Reply {
     /// Whether the player has quit carrom.
     pub quit: bool,
     /// Requests on behalf of a pupil in a class, in order.
-    pub calls: Vec<ClassCall>,
+    pub calls: Vec<JoinCall>,
     /// Text files for the player to download.
     pub downloads: Vec<Download>,
     /// The frame, if the command was to draw one.
@@ -241,6 +194,15 @@ pub struct Reply {
     /// The bytes of the files.
     #[serde(skip)]
     pub bytes: Vec<u8>,
+}
+
+impl Reply {
+    /// Adds a file whose bytes follow the reply.
+    pub(crate) fn attach(&mut self, path: String, content: &[u8]) {
+        let bytes = content.len();
+        self.files.push(FileLength { path, bytes });
+        self.bytes.extend(content);
+    }
 }
 
 /// A text file for the player to download.

@@ -27,8 +27,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             sees: !opening.simulated,
             ..Settings::default()
         }),
-        seed: opening.seed,
-        seeded: false,
+        seed: None,
     };
     let mut faults = Vec::new();
     for part in opening.fragment.split('&').filter(|part| !part.is_empty()) {
@@ -46,10 +45,11 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
         }
     }
     // As on the command line: a seed alone means ten hits.
-    if wanted.seeded && wanted.route == (Route::Quiz(None)) {
-        wanted.route = Route::Quiz(Some(Code::hits(wanted.seed)));
+    if let (Some(seed), Route::Quiz(None)) = (wanted.seed, &wanted.route) {
+        wanted.route = Route::Quiz(Some(Code::hits(seed)));
     }
-    let mut app = App::with_data(data, wanted.route, wanted.settings, wanted.seed);
+    let seed = wanted.seed.unwrap_or(opening.seed);
+    let mut app = App::with_data(data, wanted.route, wanted.settings, seed);
     app.set_kept(Some(kept));
     if !faults.is_empty() {
         app.notify(faults.join(" "));
@@ -59,10 +59,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
 
 /// The palette for a light or a dark theme.
 pub(crate) const fn palette(light: bool) -> Palette {
-    match light {
-        true => Palette::Light,
-        false => Palette::Dark,
-    }
+    if light { Palette::Light } else { Palette::Dark }
 }
 
 pub(crate) fn is_plain(fragment: &str) -> bool {
@@ -72,8 +69,8 @@ pub(crate) fn is_plain(fragment: &str) -> bool {
 struct LinkTarget {
     route: Route,
     settings: Settings,
-    seed: u64,
-    seeded: bool,
+    /// The seed, if the link contains one.
+    seed: Option<u64>,
 }
 
 impl LinkTarget {
@@ -117,10 +114,7 @@ impl LinkTarget {
             }
             "player" if is_player_name(value.trim()) => self.settings.player = tidy_name(value),
             "player" => return Err("a name of 1 to 40 visible characters".into()),
-            "seed" => {
-                self.seed = value.parse().map_err(|_| "a whole number")?;
-                self.seeded = true;
-            }
+            "seed" => self.seed = Some(value.parse().map_err(|_| "a whole number")?),
             "charset" => {
                 self.settings.charset = value.parse().map_err(|_| "ascii or unicode")?;
             }

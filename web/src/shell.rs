@@ -4,9 +4,7 @@ use std::mem;
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::messages::{
-    Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind,
-};
+use carrom::messages::{Effect, HostCall, HostNews, Input, JoinCall, Key, Mouse};
 use carrom::shells::AppHolder;
 use carrom::shells::plain::PlainReader;
 use carrom::widgets::{
@@ -19,10 +17,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 
 use crate::keeping::{Change, PageStorage};
-use crate::message::{
-    ClassCall, Command, Download, FileLength, Keys, News, Opening, Painted, PictureMessage, Reply,
-    split,
-};
+use crate::message::{Command, Download, Keys, Opening, Painted, PictureMessage, Reply, split};
 use crate::{message, opening, own, report};
 
 /// The bit that marks a cell that a picture replaces.
@@ -35,18 +30,32 @@ pub struct Shell {
     /// The last frame, and the colours of its cells.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
-    /// The number of frames drawn, and each part of the frame as it was last sent.
+    /// The number of frames drawn.
     paints: u64,
-    sent_keys: Vec<Keys>,
-    sent_sheets: Vec<Sheet>,
-    sent_inks: Vec<(Role, u32)>,
-    sent_pictures: Vec<String>,
+    sent: Sent,
     keeping: PageStorage,
     downloads: Vec<Download>,
     calls: Vec<JoinCall>,
     opening: Opening,
     /// Writes the screen as lines, in plain mode only.
     reader: Option<PlainReader>,
+}
+
+/// The parts of a frame as they were last sent.
+#[derive(Default)]
+struct Sent {
+    keys: Vec<Keys>,
+    sheets: Vec<Sheet>,
+    inks: Vec<(Role, u32)>,
+    pictures: Vec<String>,
+}
+
+/// A part of the frame if it has changed since it was last `sent`.
+fn changed<T: Clone + PartialEq>(sent: &mut T, now: T) -> Option<T> {
+    (*sent != now).then(|| {
+        sent.clone_from(&now);
+        now
+    })
 }
 
 impl Shell {
@@ -82,28 +91,24 @@ impl Shell {
             drawn: Buffer::default(),
             painted: Vec::new(),
             paints: 0,
-            sent_keys: Vec::new(),
-            sent_sheets: Vec::new(),
-            sent_inks: Vec::new(),
-            sent_pictures: Vec::new(),
+            sent: Sent::default(),
             keeping,
             downloads: Vec::new(),
             calls: Vec::new(),
             opening: opening.clone(),
             reader: None,
         };
-        let lines = if opening::is_plain(&opening.fragment) {
+        let mut reply = Reply::default();
+        if opening::is_plain(&opening.fragment) {
             let mut reader = PlainReader::new(&mut shell.app);
-            let lines = reader.begin(&mut shell);
+            reply.lines = reader.begin(&mut shell);
             shell.reader = Some(reader);
-            lines
         } else {
             shell.app.set_pictures(opening.pictures);
             shell.input(&Input::Resize(opening.columns, opening.rows));
-            Vec::new()
-        };
-        let reply = shell.reply();
-        (shell, Reply { lines, ..reply })
+        }
+        let reply = shell.completed(reply);
+        (shell, reply)
     }
 
     /// Carries out the page's command, which may be followed by bytes of files.
@@ -118,8 +123,8 @@ impl Shell {
                 }
             }
             Command::Mouse { kind, x, y } => {
-                if let Some(mouse) = mouse(&kind, x, y) {
-                    self.input(&Input::Mouse(mouse));
+                if let Ok(kind) = kind.parse() {
+                    self.input(&Input::Mouse(Mouse::at(kind, (x, y).into())));
                 }
             }
             Command::Paste { text } => self.input(&Input::Paste(text)),
@@ -158,11 +163,7 @@ impl Shell {
                 Ok((files, gone)) => {
                     reply.gone = gone;
                     for (path, content) in files {
-                        reply.files.push(FileLength {
-                            path,
-                            bytes: content.len(),
-                        });
-                        reply.bytes.extend(content);
+                        reply.attach(path, &content);
                     }
                 }
                 Err(error) => reply.fault = Some(error),
@@ -187,13 +188,9 @@ impl Shell {
             },
             Command::Progress => match self.keeping.store().files() {
                 Ok(files) => {
-                    let mut progress = files.into_iter().filter(|(path, _)| path == own::PROGRESS);
-                    if let Some((path, content)) = progress.next() {
-                        reply.files.push(FileLength {
-                            path,
-                            bytes: content.len(),
-                        });
-                        reply.bytes = content;
+                    let mut files = files.into_iter();
+                    if let Some((path, content)) = files.find(|(path, _)| path == own::PROGRESS) {
+                        reply.attach(path, &content);
                     }
                 }
                 Err(error) => reply.fault = Some(error),
@@ -206,7 +203,7 @@ impl Shell {
             Command::Line { text } => {
                 reply.lines = self.read(|reader, shell| reader.hear(&text, shell));
             }
-            Command::Joined { news } => self.input(&Input::Joined(heard(news))),
+            Command::Joined { news } => self.input(&Input::Joined(news)),
             Command::Round { code, said } => {
                 reply.round = report::of_round(&code, &said, &self.app.context().own);
             }
@@ -216,17 +213,7 @@ impl Shell {
             true => reader.say_moving(shell),
             false => reader.news(shell),
         }));
-        Reply {
-            painted: reply.painted,
-            files: reply.files,
-            bytes: reply.bytes,
-            gone: reply.gone,
-            lines: reply.lines,
-            renewed: reply.renewed,
-            round: reply.round,
-            fault: reply.fault,
-            ..self.reply()
-        }
+        self.completed(reply)
     }
 
     /// The cells that were painted last, four numbers each.
@@ -258,7 +245,8 @@ impl Shell {
         lines
     }
 
-    fn reply(&mut self) -> Reply {
+    /// The reply to a command, with what every reply contains.
+    fn completed(&mut self, reply: Reply) -> Reply {
         let exports = self.keeping.store().take_exports().into_iter();
         let exports = exports.map(|(name, content)| Download { name, content });
         let (address, depth) = self.app.address();
@@ -269,18 +257,15 @@ impl Shell {
             quit: self.app.has_quit(),
             address,
             depth,
-            calls: self.calls.drain(..).map(call).collect(),
+            calls: mem::take(&mut self.calls),
             downloads: self.downloads.drain(..).chain(exports).collect(),
-            ..Reply::default()
+            ..reply
         }
     }
 
     fn paint(&mut self, since: u64) -> Painted {
         if since != self.paints {
-            self.sent_keys.clear();
-            self.sent_sheets.clear();
-            self.sent_inks.clear();
-            self.sent_pictures.clear();
+            self.sent = Sent::default();
         }
         self.paints += 1;
         let app = &self.app;
@@ -304,20 +289,20 @@ impl Shell {
             number: self.paints,
             size: [self.drawn.area.width, self.drawn.area.height],
             pictures: self.changed_pictures(pictures),
-            keys: self.changed_keys(),
+            keys: changed(&mut self.sent.keys, keys(&self.app)),
             colours: self.colours(),
-            inks: self.changed_inks(),
+            inks: changed(&mut self.sent.inks, inks(&self.app.settings().theme())),
             sheets: self.changed_sheets(sheets),
         }
     }
 
     /// The pictures; those that have not changed since they were last sent have no vectors.
     fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<PictureMessage> {
-        let before = mem::take(&mut self.sent_pictures);
+        let before = mem::take(&mut self.sent.pictures);
         let reply = pictures.into_iter().enumerate().map(|(at, picture)| {
             let area = picture.area;
             let is_new = before.get(at) != Some(&picture.svg);
-            self.sent_pictures.push(picture.svg.clone());
+            self.sent.pictures.push(picture.svg.clone());
             PictureMessage {
                 area: [area.x, area.y, area.width, area.height],
                 paper: picture.paper,
@@ -330,10 +315,10 @@ impl Shell {
     /// The text of the screen, without sections that have not changed since they were last sent;
     /// `None` if nothing has changed.
     fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::SheetMessage>> {
-        if sheets == self.sent_sheets {
+        if sheets == self.sent.sheets {
             return None;
         }
-        let before = mem::take(&mut self.sent_sheets);
+        let before = mem::take(&mut self.sent.sheets);
         let reply = sheets.iter().enumerate().map(|(at, sheet)| {
             let same = before.get(at).filter(|it| it.kind == sheet.kind);
             let section = |(number, section)| {
@@ -348,18 +333,8 @@ impl Shell {
             }
         });
         let reply = reply.collect();
-        self.sent_sheets = sheets;
+        self.sent.sheets = sheets;
         Some(reply)
-    }
-
-    /// The colours of roles, if they have changed since they were last sent.
-    fn changed_inks(&mut self) -> Option<Vec<(Role, u32)>> {
-        let inks = inks(&self.app.settings().theme());
-        if self.sent_inks == inks {
-            return None;
-        }
-        self.sent_inks.clone_from(&inks);
-        Some(inks)
     }
 
     /// The colours of plain text and of the background.
@@ -369,81 +344,36 @@ impl Shell {
         let (cells, _) = painted(&blank, &[]);
         cells.first().map_or([0, 0], |cell| [cell.ink, cell.paper])
     }
-
-    /// The current keys, if they have changed since they were last sent.
-    fn changed_keys(&mut self) -> Option<Vec<Keys>> {
-        let keys = self.keys();
-        if self.sent_keys == keys {
-            return None;
-        }
-        self.sent_keys.clone_from(&keys);
-        Some(keys)
-    }
-
-    /// The current keys. A layer over a screen either has keys of its own or is closed by any key.
-    fn keys(&self) -> Vec<Keys> {
-        let table = self.app.keys();
-        let rows = table.rows().iter();
-        let mut all: Vec<_> = rows
-            .map(|row| Keys {
-                id: row.id.clone(),
-                keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
-                    // This includes the decimal point and the minus sign of a number, which the
-                    // bottom line does not show.
-                    true => row.all_keys().map(|key| key.to_string()).collect(),
-                    false => row.keys().map(|key| key.to_string()).collect(),
-                },
-                name: row.name,
-                help: row.help,
-                words: row.words,
-            })
-            .collect();
-        let has = |key: Key| table.keys().any(|known| known == key);
-        if !has(Key::Escape) {
-            all.push(Keys {
-                id: "layer.go-on".into(),
-                keys: vec![Key::Escape.to_string()],
-                name: "go on",
-                help: "",
-                words: &[],
-            });
-        }
-        all
-    }
 }
 
-/// The request to the page with which the shell carries out a call of the pupil's app.
-fn call(call: JoinCall) -> ClassCall {
-    match call {
-        JoinCall::Dial(_) => ClassCall::Dial,
-        JoinCall::Say(text) => ClassCall::Say { text },
-        JoinCall::Remember { seat, name, code } => ClassCall::Remember { seat, name, code },
-        JoinCall::HangUp => ClassCall::HangUp,
+/// The current keys. A layer over a screen either has keys of its own or is closed by any key.
+fn keys(app: &App) -> Vec<Keys> {
+    let table = app.keys();
+    let rows = table.rows().iter();
+    let mut all: Vec<_> = rows
+        .map(|row| Keys {
+            id: row.id.clone(),
+            keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
+                // This includes the decimal point and the minus sign of a number, which the bottom
+                // line does not show.
+                true => row.all_keys().map(|key| key.to_string()).collect(),
+                false => row.keys().map(|key| key.to_string()).collect(),
+            },
+            name: row.name,
+            help: row.help,
+            words: row.words,
+        })
+        .collect();
+    if table.keys().all(|key| key != Key::Escape) {
+        all.push(Keys {
+            id: "layer.go-on".into(),
+            keys: vec![Key::Escape.to_string()],
+            name: "go on",
+            help: "",
+            words: &[],
+        });
     }
-}
-
-/// The news from the class as an input to the app.
-fn heard(news: News) -> JoinNews {
-    match news {
-        News::Reached => JoinNews::Reached,
-        News::Heard { text } => JoinNews::Heard(text),
-        News::Lost => JoinNews::Lost,
-        News::Remembered { seat, name } => JoinNews::Remembered(seat, name),
-        News::Awake => JoinNews::Awake,
-    }
-}
-
-/// The mouse event at a cell; `None` if its kind is unknown.
-fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
-    let kind = match kind {
-        "down" => MouseKind::Down,
-        "drag" => MouseKind::Drag,
-        "up" => MouseKind::Up,
-        "scroll-up" => MouseKind::ScrollUp,
-        "scroll-down" => MouseKind::ScrollDown,
-        _ => return None,
-    };
-    Some(Mouse::at(kind, (x, y).into()))
+    all
 }
 
 impl AppHolder for Shell {

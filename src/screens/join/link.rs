@@ -41,21 +41,13 @@ pub(super) struct Link {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 enum LinkState {
     #[default]
-    Dialling,
-    /// The device has asked to join.
-    Asking,
+    /// The device is connecting, or has asked to join.
+    Joining,
     In,
     /// The device will try to reconnect after this time.
     Waiting(Duration),
     /// The host has refused, or the pupil has left.
     Over,
-}
-
-/// The result of a message.
-pub(super) enum LinkNews {
-    State(Box<PupilState>),
-    Refused(Refusal),
-    Nothing,
 }
 
 impl Link {
@@ -70,8 +62,9 @@ impl Link {
     }
 
     fn redial(&mut self, cx: &mut Context) {
-        self.state = LinkState::Dialling;
-        cx.join(JoinCall::Dial(self.entry.address.clone()));
+        self.state = LinkState::Joining;
+        let address = self.entry.address.clone();
+        cx.join(JoinCall::Dial { address });
     }
 
     /// Whether the device is connected and has joined, so that the screen shows the current state.
@@ -89,27 +82,27 @@ impl Link {
         self.handing_in.is_some()
     }
 
-    /// Processes a message.
-    pub(super) fn take(&mut self, news: &JoinNews, cx: &mut Context) -> LinkNews {
+    /// Processes an event; returns the message from the host, if the screen has to show it.
+    pub(super) fn take(&mut self, news: &JoinNews, cx: &mut Context) -> Option<HostMessage> {
         match news {
             _ if self.state == LinkState::Over => {}
-            JoinNews::Remembered(seat, name) => {
+            JoinNews::Remembered { seat, name } => {
                 // A different name means a different pupil on the same device.
                 if *name == self.entry.name && self.seat.is_none() {
                     self.seat = seat.parse().ok();
                 }
             }
             JoinNews::Reached => {
-                self.state = LinkState::Asking;
+                self.state = LinkState::Joining;
                 let join = ClientMessage::Join {
                     v: VERSION,
                     code: self.entry.code.clone(),
                     name: self.entry.name.clone(),
                     seat: self.seat,
                 };
-                cx.join(JoinCall::Say(join.to_text()));
+                say(&join, cx);
             }
-            JoinNews::Heard(text) => return self.hear(text, cx),
+            JoinNews::Heard { text } => return self.hear(text, cx),
             JoinNews::Lost => {
                 let wait = self.back_off(cx.seed());
                 self.tries += 1;
@@ -118,12 +111,14 @@ impl Link {
             // The connection may have been lost without notice while the device was asleep.
             JoinNews::Awake => self.redial(cx),
         }
-        LinkNews::Nothing
+        None
     }
 
-    fn hear(&mut self, text: &str, cx: &mut Context) -> LinkNews {
-        match HostMessage::read(text) {
-            Some(HostMessage::State(state)) => {
+    fn hear(&mut self, text: &str, cx: &mut Context) -> Option<HostMessage> {
+        // A newer host may send messages that this version does not know.
+        let message = HostMessage::read(text)?;
+        match &message {
+            HostMessage::State(state) => {
                 let first = self.state != LinkState::In;
                 self.state = LinkState::In;
                 self.tries = 0;
@@ -143,23 +138,18 @@ impl Link {
                     self.pending = None;
                 } else {
                     self.said &= !first;
-                    self.say_again(&state, cx);
+                    self.say_again(state, cx);
                 }
                 self.n = self.n.max(state.n);
                 self.hear_of_hand_in(state.handed, first, cx);
-                LinkNews::State(state)
             }
-            Some(HostMessage::No { why }) if why.is_passing() => {
-                self.held_up = Some(why);
-                self.take(&JoinNews::Lost, cx)
+            HostMessage::No { why } if why.is_passing() => {
+                self.held_up = Some(*why);
+                return self.take(&JoinNews::Lost, cx);
             }
-            Some(HostMessage::No { why }) => {
-                self.hang_up(cx);
-                LinkNews::Refused(why)
-            }
-            // A newer host may send messages that this version does not know.
-            None => LinkNews::Nothing,
+            HostMessage::No { .. } => self.hang_up(cx),
         }
+        Some(message)
     }
 
     /// Sends an unconfirmed vote again after a loss of the connection, once its question is asked
@@ -173,7 +163,7 @@ impl Link {
             Some(message @ ClientMessage::Vote { q, vote, .. })
                 if *q == state.q && open == Some(*vote) =>
             {
-                cx.join(JoinCall::Say(message.to_text()));
+                say(message, cx);
                 self.said = true;
             }
             _ => self.pending = None,
@@ -187,7 +177,7 @@ impl Link {
         if heard >= self.handed {
             self.handing_in = None;
         } else if first && let Some(message) = &self.handing_in {
-            cx.join(JoinCall::Say(message.to_text()));
+            say(message, cx);
         }
         self.handed = self.handed.max(heard);
     }
@@ -201,7 +191,7 @@ impl Link {
             return false;
         }
         if self.is_in() {
-            cx.join(JoinCall::Say(text));
+            cx.join(JoinCall::Say { text });
         }
         self.handed = n;
         self.handing_in = Some(message);
@@ -215,7 +205,7 @@ impl Link {
         let n = self.n;
         let message = ClientMessage::Vote { q, vote, said, n };
         if self.is_in() {
-            cx.join(JoinCall::Say(message.to_text()));
+            say(&message, cx);
         }
         self.said = self.is_in();
         self.pending = Some(message);
@@ -224,7 +214,7 @@ impl Link {
     /// Leaves the class permanently.
     pub(super) fn hang_up(&mut self, cx: &mut Context) {
         if self.is_in() {
-            cx.join(JoinCall::Say(ClientMessage::Leave.to_text()));
+            say(&ClientMessage::Leave, cx);
         }
         cx.join(JoinCall::HangUp);
         self.state = LinkState::Over;
@@ -254,4 +244,9 @@ impl Link {
         let mixed = (seed ^ u64::from(self.tries) << 32).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
         Duration::from_millis(longest / 2 + mixed % (longest / 2 + 1))
     }
+}
+
+fn say(message: &ClientMessage, cx: &mut Context) {
+    let text = message.to_text();
+    cx.join(JoinCall::Say { text });
 }

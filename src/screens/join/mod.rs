@@ -15,7 +15,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
 use super::{Confirmation, Context, Next, Route, Screen, Settings, SharedAction, View};
-use crate::class::protocol::{PupilStep, Refusal};
+use crate::class::protocol::{HostMessage, PupilStep, Refusal};
 use crate::class::{JoinCode, Said, is_nickname};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
@@ -28,7 +28,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, Role, SplitLayout};
 use form::JoinForm;
 use joined::{Doing, JoinedClass};
-use link::{Link, LinkNews};
+use link::Link;
 
 /// Actions on a pupil's device.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -296,9 +296,9 @@ impl Screen for Join {
             Input::Paste(text) if self.link.is_none() => self.form.paste(text),
             Input::Joined(news) => {
                 let pace = cx.settings.pace();
-                let came = self.link.as_mut().map(|link| link.take(news, cx));
+                let came = self.link.as_mut().and_then(|link| link.take(news, cx));
                 match came {
-                    Some(LinkNews::State(state)) => match &mut self.joined {
+                    Some(HostMessage::State(state)) => match &mut self.joined {
                         Some(joined) => joined.take(*state, pace),
                         None => {
                             if is_nickname(&state.name) {
@@ -309,13 +309,15 @@ impl Screen for Join {
                         }
                     },
                     // A round that is over stays on the screen, even if its host starts another.
-                    Some(LinkNews::Refused(Refusal::Code | Refusal::Closed)) if self.is_over() => {}
-                    Some(LinkNews::Refused(why)) => {
+                    Some(HostMessage::No {
+                        why: Refusal::Code | Refusal::Closed,
+                    }) if self.is_over() => {}
+                    Some(HostMessage::No { why }) => {
                         self.link = None;
                         self.joined = None;
-                        self.form.trouble = Some(why.words().into());
+                        self.form.trouble = Some(why.to_string());
                     }
-                    Some(LinkNews::Nothing) | None => {}
+                    None => {}
                 }
             }
             Input::Kept(answer) => self.history.take(answer),
@@ -363,7 +365,7 @@ impl Screen for Join {
                     panel.paragraph("Joining the class ..", Role::Text);
                     if let Some(why) = link.held_up {
                         panel.gap();
-                        panel.paragraph(why.words(), Role::Warn);
+                        panel.paragraph(why.to_string(), Role::Warn);
                     }
                 }
                 None => panel.part(JoinAction::Form, |panel| self.form.write(panel)),

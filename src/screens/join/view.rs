@@ -124,7 +124,7 @@ fn write_hand_in(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut 
             let kept = numbers::counted(kept, "answer");
             (format!("Handed in: {kept}."), Role::Good)
         }
-        (false, Some(Err(why))) => (format!("Not handed in. {}", why.words()), Role::Warn),
+        (false, Some(Err(why))) => (format!("Not handed in. {why}"), Role::Warn),
         (false, None) => (String::new(), Role::Text),
     };
     if !words.is_empty() {

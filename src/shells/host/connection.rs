@@ -18,7 +18,7 @@ use crate::class::protocol::{
     ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_MESSAGE, Refusal,
 };
 use crate::class::{Allowance, Bucket, CodeVerdict, SeatToken};
-use crate::messages::HostNews;
+use crate::messages::{HostNews, Newcomer};
 use crate::shells::lock;
 
 /// The time limit for the head of a request.
@@ -265,14 +265,14 @@ fn join(
     });
     let writer = Arc::clone(connection);
     spawn("outbox", move || write_out(&writer)).map_err(|_| Some(Refusal::Full))?;
-    board.hear(HostNews::Came {
+    board.hear(HostNews::Came(Newcomer {
         connection: connection.id,
         name,
         seat,
         fresh,
         address: connection.address,
         at: board.now(),
-    });
+    }));
     Ok(())
 }
 

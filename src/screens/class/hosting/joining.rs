@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use super::qr::Qr;
 use super::{ClassAction, HostingAction};
-use crate::class::{HostingState, Session};
+use crate::class::Session;
 use crate::messages::JoinDetails;
 use crate::screens::view::WIDEST;
 use crate::screens::{Context, View};
@@ -38,12 +38,12 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     panel.open = true;
     let column = |room: Room| SplitLayout::open(Rect::default(), areas::middle(room.area, WIDEST));
     let joining = match session.hosting() {
-        HostingState::Open(joining) => joining,
-        HostingState::Opening => {
+        Some(Ok(joining)) => joining,
+        None => {
             panel.line("Getting ready ..", Role::Text);
             return View::alone(column, panel);
         }
-        HostingState::Failed(reason) => {
+        Some(Err(reason)) => {
             panel.paragraph(format!("Pupils cannot join: {reason}."), Role::Warn);
             panel.gap();
             let words = "The round can also be played with teams or with cards.";
