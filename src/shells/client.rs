@@ -103,15 +103,21 @@ impl Client {
         let (hear, address) = (Arc::clone(&self.hear), self.address.clone());
         let (calls, place) = (Arc::clone(&self.call), Arc::clone(&self.writer));
         let own = calls.load(Ordering::SeqCst);
-        let say = move |news| {
-            if calls.load(Ordering::SeqCst) == own {
-                hear(news);
-            }
-        };
+        let is_current = move || calls.load(Ordering::SeqCst) == own;
         let talk = move || {
+            let say = |news| {
+                if is_current() {
+                    hear(news);
+                }
+            };
             if let Ok(mut socket) = connect(&address) {
                 let wire = socket.get_ref().clone();
-                *lock(&place) = Some(WebSocket::from_raw_socket(wire, Role::Client, None));
+                let mut writer = lock(&place);
+                if !is_current() {
+                    return;
+                }
+                *writer = Some(WebSocket::from_raw_socket(wire, Role::Client, None));
+                drop(writer);
                 say(JoinNews::Reached);
                 listen(&mut socket, &say);
             }
@@ -173,5 +179,38 @@ fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) {
             }
             _ => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::net::{Ipv4Addr, TcpListener};
+    use std::sync::mpsc;
+
+    use super::*;
+
+    #[test]
+    fn a_connection_that_is_made_too_late_does_not_replace_the_current_one() {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let accept = || {
+            let (stream, _) = listener.accept().unwrap();
+            stream.set_read_timeout(Some(PATIENCE)).unwrap();
+            stream
+        };
+        let (hear, heard) = mpsc::channel();
+        let mut client = Client::new(move |news| drop(hear.send(news)));
+        let dial = JoinCall::Dial { address };
+        client.call(&dial);
+        let late = accept();
+        client.call(&JoinCall::HangUp);
+        client.call(&dial);
+        let mut current = tungstenite::accept(accept()).unwrap();
+        assert_eq!(heard.recv(), Ok(JoinNews::Reached));
+        let mut late = tungstenite::accept(late).unwrap();
+        assert!(late.read().is_err(), "the client closes it");
+        let text = "a vote".to_owned();
+        client.call(&JoinCall::Say { text: text.clone() });
+        assert_eq!(current.read().unwrap(), Message::text(text));
     }
 }
