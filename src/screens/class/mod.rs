@@ -295,20 +295,16 @@ impl Screen for Class {
 
     fn confirmed(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (&mut self.scene, action) {
-            (ClassScene::Earlier(rounds), _) => {
-                rounds.remove(cx);
-                Next::Stay
-            }
-            (ClassScene::Play(play), ClassAction::Hosting(action)) => {
-                play.host(action, cx);
-                Next::Stay
-            }
-            (ClassScene::Play(play), _) => {
+            (ClassScene::Earlier(rounds), ClassAction::Earlier(_)) => rounds.remove(cx),
+            (ClassScene::Play(play), ClassAction::Hosting(action)) => play.host(action, cx),
+            (ClassScene::Play(play), ClassAction::Round(_)) => {
                 play.leave(cx);
-                Next::Back
+                return Next::Back;
             }
-            _ => Next::Back,
+            // While the question was open, a round has been loaded.
+            _ => {}
         }
+        Next::Stay
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {

@@ -6,11 +6,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::{Class, ClassScene, question};
+use super::{Class, ClassAction, ClassScene, question};
 use crate::class::{ClassPlace, ClassRound, ClassStep, Vote, WayOfVoting};
 use crate::messages::Key;
 use crate::quiz::{Code, CourseKind, Family, Form, concepts};
-use crate::screens::{AnyScreen, Context, Hosted, Settings};
+use crate::screens::kept_files::KeptAction;
+use crate::screens::{AnyScreen, Context, Hosted, Next, Screen, Settings};
 use crate::widgets::panel::{Beside, Writing};
 use crate::widgets::{Charset, cells};
 
@@ -287,4 +288,14 @@ fn all_questions_show_all_choices_on_one_page() {
         "{}",
         pages.faults.join("\n")
     );
+}
+
+#[test]
+fn confirming_a_deletion_does_not_leave_a_round_that_has_opened_in_the_meantime() {
+    let mut cx = Context::new(Settings::default(), 1);
+    let mut class = Class::new(None, &[], "", &cx);
+    let round = ClassRound::with_tally(Code::parse("quick-1").unwrap());
+    class.scene = ClassScene::Play(Box::new(ClassPlay::new(round, 1, &mut cx)));
+    let remove = ClassAction::Earlier(KeptAction::Remove);
+    assert_eq!(class.confirmed(remove, &mut cx), Next::Stay);
 }
