@@ -7,10 +7,11 @@ use super::laws::{
     BoardWon, Case, Law, QueenBefore, QueenFate, Rules, Ruling, RulingEffect, Side, Taken,
     TurnFate, Verdict,
 };
-use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
+use super::pieces::{COINS_EACH, Coin, Colour, Piece, count};
 use super::score::Score;
-use super::seat::{ByTeam, Hands, Seat, Team};
+use super::seat::{ByTeam, Seat, Team};
 use super::stroke::Stroke;
+use super::table::GameSetup;
 
 /// A board in play: the positions, whose turn it is and the dues.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,8 @@ pub struct BoardInPlay {
     pub coins: Vec<Coin>,
     /// The seat whose turn it is; after the end of the board, the seat that struck last.
     pub seat: Seat,
+    /// The team that broke and therefore plays white (16).
+    pub(super) white: Team,
     /// Strokes made at the unbroken pack in this turn; `None` after the break.
     pub(super) break_tries: Option<u8>,
     /// The number of coins that each team owes because it has no pocketed coin to give back (45b).
@@ -34,47 +37,28 @@ pub struct BoardInPlay {
     pub won: Option<BoardWon>,
 }
 
-/// The facts that do not change while a board is being played.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Terms {
-    pub(super) rules: Rules,
-    pub(super) hands: Hands,
-    pub(super) set: PieceSet,
-    /// The team that broke and therefore plays white (16).
-    pub(super) white: Team,
-    /// The score before this board.
-    pub(super) score: Score,
-}
-
-impl Terms {
-    pub(super) fn colour(&self, team: Team) -> Colour {
-        if team == self.white {
-            Colour::White
-        } else {
-            Colour::Black
-        }
-    }
-
-    fn team(&self, colour: Colour) -> Team {
-        match colour {
-            Colour::White => self.white,
-            Colour::Black => self.white.other(),
-        }
-    }
-}
-
 impl BoardInPlay {
-    /// A board about to be broken by the player at `breaker`.
-    pub(super) fn new(coins: Vec<Coin>, breaker: Seat) -> Self {
+    /// A board on which the player at `seat` strikes first, and the team `white` plays white.
+    pub(super) fn new(coins: Vec<Coin>, seat: Seat, white: Team) -> Self {
         Self {
             coins,
-            seat: breaker,
+            seat,
+            white,
             break_tries: Some(0),
             owed: ByTeam::default(),
             pocketed_before: ByTeam::default(),
             taken: ByTeam::default(),
             queen_covered_by: None,
             won: None,
+        }
+    }
+
+    /// The colour that a team plays (16).
+    pub(super) fn colour(&self, team: Team) -> Colour {
+        if team == self.white {
+            Colour::White
+        } else {
+            Colour::Black
         }
     }
 
@@ -115,14 +99,13 @@ impl BoardInPlay {
         self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
     }
 
-    /// The facts about a stroke that the rules use.
-    pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
-        let team = terms.hands.team(self.seat);
-        let colour = terms.colour(team);
+    /// The facts about a stroke that the rules use; `score` is the score before this board.
+    pub(super) fn case(&self, team: Team, score: &Score, stroke: &Stroke) -> Case {
+        let colour = self.colour(team);
         let side = |colour: Colour, team| Side {
             before: self.on_board(colour),
             fell: stroke.fallen(colour.piece()),
-            score: terms.score.points[team],
+            score: score.points[team],
             taken: self.taken[team],
         };
         Case {
@@ -130,7 +113,7 @@ impl BoardInPlay {
             own: side(colour, team),
             other: side(colour.other(), team.other()),
             queen: match self.queen_covered_by {
-                Some(by) => QueenBefore::Covered(terms.colour(by)),
+                Some(by) => QueenBefore::Covered(self.colour(by)),
                 None if self.queen_on_board() => QueenBefore::OnBoard,
                 None => QueenBefore::ToCover,
             },
@@ -144,26 +127,26 @@ impl BoardInPlay {
     }
 
     /// Sets the positions after a stroke; the verdict is carried out afterwards.
-    pub(super) fn take_in(&mut self, terms: &Terms, stroke: &Stroke) {
+    pub(super) fn take_in(&mut self, setup: &GameSetup, stroke: &Stroke) {
         self.coins.clone_from(&stroke.left);
         self.break_tries = self
             .break_tries
             .filter(|_| !stroke.touched)
             .map(|tries| tries.saturating_add(1));
-        for colour in [Colour::White, Colour::Black] {
-            self.pocketed_before[terms.team(colour)] |= stroke.fallen(colour.piece()) > 0;
+        for team in Team::BOTH {
+            self.pocketed_before[team] |= stroke.fallen(self.colour(team).piece()) > 0;
         }
-        if terms.rules == Rules::Points {
+        if setup.rules == Rules::Points {
             let [white, black] = [Piece::White, Piece::Black].map(|piece| stroke.fallen(piece));
-            let taken = &mut self.taken[terms.hands.team(self.seat)];
+            let taken = &mut self.taken[setup.hands.team(self.seat)];
             *taken = taken.with(white, black);
         }
     }
 
     /// Carries out a verdict: puts pieces back, and passes the turn or ends the board.
-    pub(super) fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
-        let team = terms.hands.team(self.seat);
-        let colour = terms.colour(team);
+    pub(super) fn carry_out(&mut self, setup: &GameSetup, verdict: Verdict) -> Vec<Ruling> {
+        let team = setup.hands.team(self.seat);
+        let colour = self.colour(team);
         let mut main = Ruling {
             law: verdict.law,
             text: verdict.text,
@@ -174,11 +157,11 @@ impl BoardInPlay {
             main.effects.push(RulingEffect::QueenCovered(colour));
         }
         if verdict.queen == QueenFate::GoesBack && !self.queen_on_board() {
-            let at = free_place::for_the_queen(terms.set, &self.coins);
+            let at = free_place::for_the_queen(setup.set, &self.coins);
             self.put_back(Piece::Queen, at, &mut main);
         }
         for _ in 0..verdict.own_back {
-            self.give_back(terms, team, &mut main);
+            self.give_back(setup, team, &mut main);
         }
         if let TurnFate::Ends { won, points } = verdict.turn {
             let winner = if won { team } else { team.other() };
@@ -189,14 +172,15 @@ impl BoardInPlay {
             main.effects.push(RulingEffect::BoardWon(won));
             return vec![main];
         }
-        let old_dues = self.pay_old_dues(terms);
+        let old_dues = self.pay_old_dues(setup);
         for _ in 0..verdict.dues {
-            if !self.give_back(terms, team, &mut main) {
+            if !self.give_back(setup, team, &mut main) {
                 self.owed[team] = self.owed[team].saturating_add(1);
             }
         }
         if verdict.turn == TurnFate::Passes {
-            self.pass_turn(terms.hands);
+            self.seat = setup.hands.next(self.seat);
+            self.break_tries = self.break_tries.map(|_| 0);
             main.effects.push(RulingEffect::TurnPasses(self.seat));
         } else {
             main.effects.push(RulingEffect::TurnContinues(self.seat));
@@ -220,10 +204,10 @@ impl BoardInPlay {
     }
 
     /// Pays earlier dues, as far as the pocketed coins suffice (51a).
-    fn pay_old_dues(&mut self, terms: &Terms) -> Vec<Ruling> {
+    fn pay_old_dues(&mut self, setup: &GameSetup) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         for team in Team::BOTH {
-            let colour = terms.colour(team);
+            let colour = self.colour(team);
             let mut ruling = Ruling {
                 law: Some(Law::DUE_IS_PAID),
                 text: format!(
@@ -232,7 +216,7 @@ impl BoardInPlay {
                 ),
                 effects: Vec::new(),
             };
-            while self.owed[team] > 0 && self.give_back(terms, team, &mut ruling) {
+            while self.owed[team] > 0 && self.give_back(setup, team, &mut ruling) {
                 self.owed[team] -= 1;
             }
             if !ruling.effects.is_empty() {
@@ -246,38 +230,28 @@ impl BoardInPlay {
         rulings
     }
 
-    /// Puts a pocketed coin of `team` back into the outer circle, if there is one.
-    fn give_back(&mut self, terms: &Terms, team: Team, ruling: &mut Ruling) -> bool {
-        let own = terms.colour(team);
-        let colour = match terms.rules {
+    /// Puts a pocketed coin of `team` back into the outer circle, if there is one, as far as
+    /// possible from the player who struck or, for the other team, from the player who plays next.
+    fn give_back(&mut self, setup: &GameSetup, team: Team, ruling: &mut Ruling) -> bool {
+        let own = self.colour(team);
+        let colour = match setup.rules {
             Rules::Points => self.taken[team].give_back(),
             _ => Some(own).filter(|_| self.in_pockets(own) > 0),
         };
         if let Some(colour) = colour {
-            let at = free_place::for_a_due(terms.set, &self.coins, self.owner_seat(terms, team));
+            let owner = match setup.hands.team(self.seat) == team {
+                true => self.seat,
+                false => setup.hands.next(self.seat),
+            };
+            let at = free_place::for_a_due(setup.set, &self.coins, owner);
             self.put_back(colour.piece(), at, ruling);
         }
         colour.is_some()
-    }
-
-    /// The seat from which a returned coin of `team` is placed as far away as possible: the seat of
-    /// the player who struck or, for the other team, the seat that plays next.
-    fn owner_seat(&self, terms: &Terms, team: Team) -> Seat {
-        if terms.hands.team(self.seat) == team {
-            self.seat
-        } else {
-            terms.hands.next(self.seat)
-        }
     }
 
     fn put_back(&mut self, piece: Piece, at: DVec2, ruling: &mut Ruling) {
         let coin = Coin { piece, at };
         self.coins.push(coin);
         ruling.effects.push(RulingEffect::PutBack(coin));
-    }
-
-    fn pass_turn(&mut self, hands: Hands) {
-        self.seat = hands.next(self.seat);
-        self.break_tries = self.break_tries.map(|_| 0);
     }
 }

@@ -8,7 +8,7 @@ use super::laws::{self, BoardWon, Law, Rules, Ruling, RulingEffect, Verdict};
 use super::pack::{jittered_pack, pack};
 use super::pieces::{Coin, Colour, Piece, PieceSet};
 use super::placing::{BaseLines, Misplaced, check_anywhere};
-use super::play::{BoardInPlay, Terms};
+use super::play::BoardInPlay;
 use super::score::{Length, Score};
 use super::seat::{ByTeam, Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
@@ -133,7 +133,7 @@ impl Game {
 
     /// The colour a team has in this board (16).
     pub fn colour(&self, team: Team) -> Colour {
-        self.terms().colour(team)
+        self.play.colour(team)
     }
 
     /// The number of this board in its game, from 1.
@@ -163,16 +163,14 @@ impl Game {
     /// The stage of the game.
     pub fn stage(&self) -> GameStage {
         let setup = &self.setup;
+        let Some(won) = self.play.won else {
+            return GameStage::Playing;
+        };
         let score = self.score();
-        match (
-            self.play.won,
-            score.match_winner(setup),
-            score.game_winner(setup),
-        ) {
-            (None, ..) => GameStage::Playing,
-            (Some(_), Some(team), _) => GameStage::MatchOver(team),
-            (Some(_), None, Some(team)) => GameStage::GameOver(team),
-            (Some(won), None, None) => GameStage::BoardOver(won),
+        match (score.match_winner(setup), score.game_winner(setup)) {
+            (Some(team), _) => GameStage::MatchOver(team),
+            (None, Some(team)) => GameStage::GameOver(team),
+            (None, None) => GameStage::BoardOver(won),
         }
     }
 
@@ -215,10 +213,11 @@ impl Game {
             return Err(StrokeError::Ended);
         }
         stroke.check(self.coins())?;
-        let terms = self.terms();
-        let verdict = laws::judge(self.setup.rules, &self.play.case(&terms, stroke));
-        self.play.take_in(&terms, stroke);
-        Ok(self.carry_out(&terms, verdict))
+        let team = self.team(self.seat());
+        let case = self.play.case(team, &self.score_before(), stroke);
+        let verdict = laws::judge(self.setup.rules, &case);
+        self.play.take_in(&self.setup, stroke);
+        Ok(self.carry_out(verdict))
     }
 
     /// Passes the turn because coins block every position of the striker.
@@ -229,9 +228,8 @@ impl Game {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
         }
-        let terms = self.terms();
         let verdict = laws::no_place(self.setup.rules, self.play.queen_to_cover());
-        Ok(self.carry_out(&terms, verdict))
+        Ok(self.carry_out(verdict))
     }
 
     /// Sets up the pack for the next board, and for the next game when one has been won.
@@ -262,17 +260,16 @@ impl Game {
             return Err(GameError::NotInPractice);
         }
         check_coins(&coins, self.setup.set)?;
-        let mut play = BoardInPlay::new(coins, self.seat());
-        if !play.queen_on_board() {
-            play.queen_covered_by = Some(self.team(self.seat()));
-        }
+        let seat = self.seat();
+        let mut play = BoardInPlay::new(coins, seat, self.play.white);
+        play.queen_covered_by = (!play.queen_on_board()).then(|| self.team(seat));
         self.play = play;
         Ok(())
     }
 
     /// Carries out a verdict, and announces the end of a game or match that it causes.
-    fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
-        let mut rulings = self.play.carry_out(terms, verdict);
+    fn carry_out(&mut self, verdict: Verdict) -> Vec<Ruling> {
+        let mut rulings = self.play.carry_out(&self.setup, verdict);
         if self.play.won.is_some() && self.setup.rules != Rules::Solo {
             rulings.extend(self.announce_end());
         }
@@ -317,9 +314,9 @@ impl Game {
         Score::after(&self.setup, &self.finished).before_next_board(&self.setup)
     }
 
-    /// The player who breaks this board: the break passes from seat to seat with each board (22),
-    /// and each game begins one seat further on (22a). This order, not a
-    /// toss (29b), also decides who breaks an extra board.
+    /// The player who breaks the board after the finished ones: the break passes from seat to seat
+    /// with each board (22), and each game begins one seat further on (22a). This order, not a toss
+    /// (29b), also decides who breaks an extra board.
     fn breaker(&self) -> Seat {
         let score = self.score_before();
         let steps = match self.setup.rules {
@@ -334,28 +331,20 @@ impl Game {
             self.setup.hands.next(seat)
         })
     }
-
-    fn terms(&self) -> Terms {
-        Terms {
-            rules: self.setup.rules,
-            hands: self.setup.hands,
-            set: self.setup.set,
-            white: self.team(self.breaker()),
-            score: self.score_before(),
-        }
-    }
 }
 
 fn break_board(setup: &GameSetup, board: u64, breaker: Seat) -> BoardInPlay {
+    let white = setup.hands.team(breaker);
     if let Some(code) = setup.board_code() {
-        let mut play = BoardInPlay::new(code.coins(), breaker);
-        play.break_tries = None;
-        play.queen_covered_by = Some(setup.hands.team(breaker));
-        return play;
+        return BoardInPlay {
+            break_tries: None,
+            queen_covered_by: Some(white),
+            ..BoardInPlay::new(code.coins(), breaker, white)
+        };
     }
     let coins = match setup.seed {
         Some(seed) => jittered_pack(setup.set, breaker, seed.wrapping_add(board)),
         None => pack(setup.set, breaker),
     };
-    BoardInPlay::new(coins, breaker)
+    BoardInPlay::new(coins, breaker, white)
 }
