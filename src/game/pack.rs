@@ -6,6 +6,8 @@
 //! alternating the rest makes every corner white and every position between corners black: 3 + 6 =
 //! 9 white and 3 + 6 = 9 black.
 
+use std::iter::zip;
+
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -34,18 +36,14 @@ pub(crate) fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
         DVec2::new(0.0, -1.0),
         DVec2::new(half_root, -0.5),
     ];
-    let neighbours = || corners.iter().zip(corners.iter().cycle().skip(1));
+    let colours = [Piece::White, Piece::Black].into_iter().cycle();
+    let neighbours = corners.into_iter().cycle().skip(1);
 
     let mut coins = vec![place(Piece::Queen, DVec2::ZERO)];
-    coins.extend(
-        corners
-            .iter()
-            .zip([Piece::White, Piece::Black].into_iter().cycle())
-            .map(|(corner, piece)| place(piece, *corner)),
-    );
-    for (corner, next) in neighbours() {
-        coins.push(place(Piece::White, 2.0 * *corner));
-        coins.push(place(Piece::Black, *corner + *next));
+    coins.extend(zip(corners, colours).map(|(corner, piece)| place(piece, corner)));
+    for (corner, next) in zip(corners, neighbours) {
+        coins.push(place(Piece::White, 2.0 * corner));
+        coins.push(place(Piece::Black, corner + next));
     }
     coins
 }

@@ -70,21 +70,18 @@ impl Score {
     /// boards are played until a tie is broken (29). With other rules, or if only one board is
     /// played, it is the team that wins the board. Practice has no winner.
     pub(crate) fn game_winner(&self, setup: &GameSetup) -> Option<Team> {
-        let [first, second] = Team::BOTH.map(|team| self.points[team]);
+        let points = |team: Team| self.points[team];
+        let leader =
+            { Team::BOTH.into_iter() }.find(|team| points(*team) > points(team.other()))?;
         let decided = match (setup.rules, setup.length) {
             (Rules::Practice, _) => false,
             (Rules::Tournament, Length::Game | Length::Match) => {
-                first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS
+                points(leader) >= GAME_POINTS || self.boards >= GAME_BOARDS
             }
             (Rules::Tournament, Length::Board)
             | (Rules::Friendly | Rules::Points | Rules::Solo, _) => self.boards > 0,
         };
-        match first.cmp(&second) {
-            _ if !decided => None,
-            std::cmp::Ordering::Greater => Some(Team::First),
-            std::cmp::Ordering::Less => Some(Team::Second),
-            std::cmp::Ordering::Equal => None,
-        }
+        decided.then_some(leader)
     }
 
     /// Whether the current game is tied after its last board, so that one more is needed (29b).

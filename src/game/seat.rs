@@ -37,13 +37,8 @@ impl Seat {
     }
 
     /// The anticlockwise angle of [`Seat::turn`] in degrees.
-    pub const fn turned_by_deg(self) -> f64 {
-        match self {
-            Self::South => 0.0,
-            Self::East => 90.0,
-            Self::North => 180.0,
-            Self::West => 270.0,
-        }
+    pub fn turned_by_deg(self) -> f64 {
+        90.0 * f64::from(self as u8)
     }
 
     /// Turns a position relative to South into the corresponding position relative to this seat, by

@@ -13,7 +13,7 @@ use crate::numbers::{FNV_START, fnv1a};
 /// The algorithm is 64-bit FNV-1a. The order of these data is part of the file format, and so is
 /// the order in which pieces, seats and teams are declared. The hash detects damage and differences
 /// between machines, not forgery.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);
 
 impl Fingerprint {
@@ -65,12 +65,6 @@ impl fmt::Display for Fingerprint {
     /// Sixteen hexadecimal digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:016x}", self.0)
-    }
-}
-
-impl fmt::Debug for Fingerprint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Fingerprint({self})")
     }
 }
 
