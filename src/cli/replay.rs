@@ -7,12 +7,11 @@ use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::{Failure, given, print, print_json};
-use crate::game::pieces::piece_of;
+use crate::game::pieces::pocketed;
 use crate::game::{
-    Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat,
-    SeatNames, Strike, Team,
+    Coin, Fingerprint, Game, GameSetup, Piece, RecordError, Ruling, SavedGame, Seat, SeatNames,
+    Strike, Team,
 };
-use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
 
 /// Replay a saved or exported game and print what the referee says
@@ -96,21 +95,12 @@ fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
             r#move: happenings.len() + 1,
             seat: before.seat(),
             kind: made.into(),
-            strike: match made {
-                Move::Strike(strike) => Some(*strike),
-                _ => None,
-            },
-            pocketed: shot.map_or_else(Vec::new, |shot| pocketed(&shot, &before)),
+            strike: made.strike().copied(),
+            pocketed: shot.map_or_else(Vec::new, |shot| pocketed(before.coins(), &shot)),
             rulings,
         });
     })?;
     Ok(happenings)
-}
-
-/// The pocketed pieces, in order.
-fn pocketed(shot: &Shot, before: &Game) -> Vec<Piece> {
-    let piece = |disc| piece_of(before.coins(), disc);
-    shot.fallen().filter_map(piece).collect()
 }
 
 impl ReplayReport {

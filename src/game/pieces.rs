@@ -10,7 +10,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use strum::{Display, IntoStaticStr};
 
-use crate::physics::Disc;
+use crate::physics::{Disc, Shot};
 
 /// The number of coins of each colour on a full board.
 pub(crate) const COINS_EACH: u8 = 9;
@@ -111,6 +111,13 @@ pub(crate) fn piece_of(coins: &[Coin], disc: usize) -> Option<Piece> {
         None => Some(Piece::Striker),
         Some(i) => coins.get(i).map(|coin| coin.piece),
     }
+}
+
+/// The pieces that fell in a shot played with these coins, in order, including the striker if it
+/// fell.
+pub(crate) fn pocketed(coins: &[Coin], shot: &Shot) -> Vec<Piece> {
+    let fallen = shot.fallen();
+    fallen.filter_map(|disc| piece_of(coins, disc)).collect()
 }
 
 /// Stores a point or a velocity as a pair of numbers in SI units, which are read back bit for bit.

@@ -109,8 +109,7 @@ impl Record {
 
     /// The number of moves that are strokes.
     pub fn strokes(&self) -> usize {
-        let is_stroke = |made: &&Move| matches!(made, Move::Strike(_));
-        self.moves.iter().filter(is_stroke).count()
+        self.moves.iter().filter_map(Move::strike).count()
     }
 
     /// Plays the whole record and returns the resulting game.
@@ -144,6 +143,14 @@ impl Record {
 }
 
 impl Move {
+    /// The stroke, if the move is one.
+    pub(crate) fn strike(&self) -> Option<&Strike> {
+        match self {
+            Self::Strike(strike) => Some(strike),
+            Self::NoPlace | Self::NextBoard | Self::LayOut(_) => None,
+        }
+    }
+
     /// Makes the move and returns the shot, if it was a stroke, and the referee's rulings.
     ///
     /// # Errors

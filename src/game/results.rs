@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use super::opponent::{PlayerHand, Strength};
-use super::{
-    BoardCode, BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team,
-};
-use crate::game::score::Score;
+use super::pieces::pocketed;
+use super::score::Score;
+use super::{BoardCode, BoardWon, ByTeam, Game, Piece, Player, Rules, SavedGame, Seat, Team};
 
 /// The results of one player against the computer. A game counts only if this player is the only
 /// person in it and the computer plays on the other side; practice does not count. Boards cleared
@@ -144,13 +143,12 @@ fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
 fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
     let (mut longest, mut turn) = (0, 0);
     // A saved game was replayed when it was read, so it has no error.
-    let _ = saved.record.play_through(|before, made, shot, _| {
-        let shot = shot.filter(|_| before.seat() == seat);
-        let (Move::Strike(_), Some(shot)) = (made, shot) else {
+    let _ = saved.record.play_through(|before, _, shot, _| {
+        let Some(shot) = shot.filter(|_| before.seat() == seat) else {
             turn = 0;
             return;
         };
-        let fallen = Stroke::from_shot(before.coins(), &shot).map_or(Vec::new(), |it| it.pocketed);
+        let fallen = pocketed(before.coins(), &shot);
         let own = before.colour(before.team(seat)).piece();
         let any = before.setup().rules == Rules::Points;
         let counts = |piece: &Piece| any || *piece == own || *piece == Piece::Queen;

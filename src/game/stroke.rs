@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::pieces::{Coin, Piece, count, piece_of};
+use super::pieces::{Coin, Piece, count, pocketed};
 use crate::physics::{Board, DiscState, Shot};
 
 /// A stroke as the referee sees it: whether the striker touched a piece, what fell and where the
@@ -61,14 +61,11 @@ impl Stroke {
     /// # Errors
     /// Returns `StrokeError::OtherDiscs` if the shot has more or fewer discs.
     pub fn from_shot(coins: &[Coin], shot: &Shot) -> Result<Self, StrokeError> {
-        if shot.discs().len() != coins.len() + 1 {
-            return Err(StrokeError::OtherDiscs {
-                expected: coins.len() + 1,
-                found: shot.discs().len(),
-            });
+        let (expected, found) = (coins.len() + 1, shot.discs().len());
+        if found != expected {
+            return Err(StrokeError::OtherDiscs { expected, found });
         }
         let mut events = shot.events().iter();
-        let pocketed = shot.fallen().filter_map(|disc| piece_of(coins, disc));
         let left = coins
             .iter()
             .zip(shot.final_states().skip(1))
@@ -79,7 +76,7 @@ impl Stroke {
             });
         Ok(Self {
             touched: events.any(|event| event.kind.partner(0).is_some()),
-            pocketed: pocketed.collect(),
+            pocketed: pocketed(coins, shot),
             left: left.collect(),
         })
     }

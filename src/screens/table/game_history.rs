@@ -5,9 +5,8 @@ use std::mem;
 use super::calls::Called;
 use super::computer_stroke::ComputerStroke;
 use crate::game::opponent::Story;
-use crate::game::{
-    Game, GameSetup, Move, MoveError, Piece, Record, RecordError, Ruling, Strike, Stroke,
-};
+use crate::game::pieces::pocketed;
+use crate::game::{Game, GameSetup, Move, MoveError, Piece, Record, RecordError, Ruling, Strike};
 use crate::physics::Shot;
 
 /// A game and its record, which always agree.
@@ -40,14 +39,11 @@ pub(super) struct Past {
 
 impl Past {
     fn new(before: Game, made: &Move, shot: Option<&Shot>, rulings: Vec<Ruling>) -> Self {
-        let stroke = shot.and_then(|shot| Stroke::from_shot(before.coins(), shot).ok());
         Self {
             rulings,
-            called: match (made, shot) {
-                (Move::Strike(strike), Some(shot)) => Called::new(strike, shot),
-                _ => None,
-            },
-            fallen: stroke.map_or(Vec::new(), |stroke| stroke.pocketed),
+            called: { made.strike().zip(shot) }
+                .and_then(|(strike, shot)| Called::new(strike, shot)),
+            fallen: shot.map_or_else(Vec::new, |shot| pocketed(before.coins(), shot)),
             story: shot.map(|shot| Story::of(&before, shot)),
             meant: None,
             before,
@@ -167,16 +163,13 @@ impl GameHistory {
 
     /// The stroke of a move, if the move was one.
     pub(super) fn strike(&self, number: usize) -> Option<&Strike> {
-        match self.record.moves.get(number)? {
-            Move::Strike(strike) => Some(strike),
-            _ => None,
-        }
+        self.record.moves.get(number)?.strike()
     }
 
     /// The number of strokes before the move with this number.
     pub(super) fn strokes_before(&self, number: usize) -> usize {
         let moves = self.record.moves.iter().take(number);
-        moves.filter(|made| matches!(made, Move::Strike(_))).count()
+        moves.filter_map(Move::strike).count()
     }
 
     /// Computes the shot of an earlier stroke again.
