@@ -10,8 +10,7 @@ use rand_pcg::Pcg64;
 use super::hand::{FASTEST, Slip};
 use super::rehearsal::Rehearsal;
 use super::shots::{
-    PocketPath, ProposedStroke, Unchecked, combinations, kicks, knocks, off_a_cushion, straight,
-    strikes,
+    PocketPath, ProposedStroke, combinations, kicks, knocks, off_a_cushion, straight, strikes,
 };
 use super::sight::Sight;
 use super::story::Chance;
@@ -107,7 +106,8 @@ impl Search<'_> {
             .collect()
     }
 
-    /// The aims with the largest tolerance, the largest first.
+    /// The aims with the largest tolerance, the largest first; of each course, those that are not
+    /// blocked and have the largest tolerances.
     fn aims(&self, places: &[DVec2]) -> Vec<ProposedStroke> {
         let sight = Sight::of(self.game);
         let mut aims = Vec::new();
@@ -118,7 +118,9 @@ impl Search<'_> {
             if self.skill.cushions {
                 own.extend(kicks(&sight, &course, places));
             }
-            aims.extend(clearest(own, &sight));
+            own.sort_by(|a, b| b.link.allowance.total_cmp(&a.link.allowance));
+            let clear = own.into_iter().filter_map(|aim| aim.if_clear(&sight));
+            aims.extend(clear.take(AIMS_A_COURSE));
         }
         aims.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
         aims.truncate(self.skill.aims);
@@ -220,14 +222,4 @@ impl Search<'_> {
             allowance,
         })
     }
-}
-
-/// The aims for one course that are not blocked and have the largest tolerances.
-fn clearest(
-    mut aims: Vec<Unchecked<ProposedStroke>>,
-    sight: &Sight,
-) -> impl Iterator<Item = ProposedStroke> {
-    aims.sort_by(|a, b| b.link.allowance.total_cmp(&a.link.allowance));
-    let clear = aims.into_iter().filter_map(|aim| aim.if_clear(sight));
-    clear.take(AIMS_A_COURSE)
 }

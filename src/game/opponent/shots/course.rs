@@ -42,13 +42,10 @@ pub(in super::super) fn off_a_cushion(
     coin: usize,
 ) -> impl Iterator<Item = PocketPath> {
     let from = sight.coins.get(coin).map(|coin| coin.at);
-    let ways = from.into_iter().flat_map(move |from| {
-        WALLS.into_iter().flat_map(move |wall| {
-            let pockets = sight.board.pockets();
-            pockets
-                .filter(move |pocket| pocket.dot(wall) < 0.0)
-                .filter_map(move |pocket| sight.bounce(from, pocket, wall, sight.coin()))
-        })
+    let ways = WALLS.into_iter().flat_map(move |wall| {
+        let pockets = sight.board.pockets();
+        let opposite = pockets.filter(move |pocket| pocket.dot(wall) < 0.0);
+        opposite.filter_map(move |pocket| sight.bounce(from?, pocket, wall, sight.coin()))
     });
     ways.filter_map(move |way| into_pocket(sight, coin, way).if_clear(sight))
 }
@@ -76,13 +73,11 @@ pub(in super::super) fn combinations(
     course: &PocketPath,
 ) -> impl Iterator<Item = PocketPath> {
     let reach = 2.0 * sight.coin();
-    let target = sight.coins.get(course.coin).map(|coin| coin.at);
-    let ways = target.into_iter().flat_map(move |target| {
-        let ghost = target - course.toward * reach;
-        let drivers = sight.coins.iter().enumerate();
-        drivers.filter_map(move |(i, driver)| Some((i, Way::straight(driver.at, ghost)?)))
-    });
-    ways.filter_map(move |(i, way)| {
+    let target = sight.coins.get(course.coin);
+    let ghost = target.map(|target| target.at - course.toward * reach);
+    let drivers = sight.coins.iter().enumerate();
+    drivers.filter_map(move |(i, driver)| {
+        let way = Way::straight(driver.at, ghost?)?;
         let cosine = way.arriving.dot(course.toward);
         let reachable = i != course.coin
             && cosine > THINNEST

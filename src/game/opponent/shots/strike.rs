@@ -41,11 +41,9 @@ pub(in super::super) fn strikes(
     course: &PocketPath,
     places: &[DVec2],
 ) -> impl Iterator<Item = Unchecked<ProposedStroke>> {
-    let ghost = ghost(sight, course).into_iter();
-    ghost.flat_map(move |ghost| {
-        let places = places.iter();
-        places.filter_map(move |&from| strike(sight, course, from, ghost))
-    })
+    let ghost = ghost(sight, course);
+    let places = places.iter();
+    places.filter_map(move |&from| strike(sight, course, from, ghost?))
 }
 
 /// The straight stroke from a position that gives a coin its course by way of `ghost`, if there is
@@ -83,13 +81,13 @@ pub(in super::super) fn kicks(
     course: &PocketPath,
     places: &[DVec2],
 ) -> impl Iterator<Item = Unchecked<ProposedStroke>> {
-    let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
-        let walls = places
-            .iter()
-            .flat_map(|&from| WALLS.map(|wall| (from, wall)));
-        walls.filter_map(move |(from, wall)| sight.bounce(from, ghost, wall, sight.striker()))
-    });
-    ways.filter_map(move |way| stroke(sight, course, way))
+    let ghost = ghost(sight, course);
+    let places = places.iter();
+    let walls = places.flat_map(|&from| WALLS.map(|wall| (from, wall)));
+    walls.filter_map(move |(from, wall)| {
+        let way = sight.bounce(from, ghost?, wall, sight.striker())?;
+        stroke(sight, course, way)
+    })
 }
 
 /// The stroke along this path that gives a coin its course at the end, if there is one.
