@@ -80,48 +80,44 @@ pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let goal = |fall: &Fall| (fall.coin, fall.corner);
     let came_about =
         played.fall.as_ref().map(goal) == Some(goal(fall)) && played.also >= story.also;
-    let did = |past: &'static str, wanted: &'static str| if came_about { past } else { wanted };
-    let pocket = pocket(fall.corner);
     let also = match story.also {
         0 => String::new(),
         1 => ", and one more piece after it".to_owned(),
         more => format!(", and {more} more pieces after it"),
     };
-    if story.is_plain_cut() && !breaking {
-        let verb = match is_full(hit) {
-            true => did("played", "wanted to play"),
-            false => did("cut", "wanted to cut"),
-        };
-        let (piece, met) = (fall.piece, met(story, Teller::I));
-        return format!("I {verb} the {piece} into the {pocket}{also}: {met}");
-    }
-    let verb = match breaking {
-        true => did(
-            "broke the pack and sent",
-            "wanted to break the pack and send",
-        ),
-        false => did("sent", "wanted to send"),
+    let is_cut = story.is_plain_cut() && !breaking;
+    let (past, infinitive) = match (is_cut, breaking) {
+        (true, _) if is_full(hit) => ("played", "play"),
+        (true, _) => ("cut", "cut"),
+        (false, true) => ("broke the pack and sent", "break the pack and send"),
+        (false, false) => ("sent", "send"),
     };
-    let (piece, route, met) = (fall.piece, route(fall), capital(&met(story, Teller::I)));
-    format!("I {verb} the {piece} into the {pocket}{route}{also}. {met}")
+    let verb = match came_about {
+        true => past.to_owned(),
+        false => format!("wanted to {infinitive}"),
+    };
+    let met = match (is_cut, met(story, Teller::I)) {
+        (true, met) => format!(": {met}"),
+        (false, met) => format!(". {}", capital(&met)),
+    };
+    format!("I {verb} {}{also}{met}", into_pocket(fall))
 }
 
 impl Story {
     /// What fell into which pocket, in a few words; `None` if nothing fell.
     pub fn brief(&self) -> Option<String> {
-        let fall = self.fall.as_ref()?;
-        let (piece, pocket, route) = (fall.piece, pocket(fall.corner), route(fall));
+        let fall = into_pocket(self.fall.as_ref()?);
         let also = match self.also {
             0 => String::new(),
             1 => ", and one more".to_owned(),
             more => format!(", and {more} more"),
         };
-        Some(format!("the {piece} into the {pocket}{route}{also}"))
+        Some(format!("{fall}{also}"))
     }
 }
 
-/// How a piece fell, if not directly.
-fn route(fall: &Fall) -> String {
+/// Which piece fell into which pocket, and how it got there if not directly.
+fn into_pocket(fall: &Fall) -> String {
     let by = match fall.sent_by {
         Piece::Striker => String::new(),
         Piece::Queen => " by way of the queen".to_owned(),
@@ -133,7 +129,8 @@ fn route(fall: &Fall) -> String {
         1 => " off a cushion".to_owned(),
         more => format!(" off {more} cushions"),
     };
-    by + &off
+    let (piece, pocket) = (fall.piece, pocket(fall.corner));
+    format!("the {piece} into the {pocket}{by}{off}")
 }
 
 /// The first hit: the cut, the offset and the striker's path; empty if there was none.
@@ -142,24 +139,15 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         return String::new();
     };
     // The hand makes errors, so the opponent describes its intention.
-    let (i_aimed, my, meets, leaves, goes, stops) = match teller {
-        Teller::I => (
-            "I aimed",
-            "my",
-            "was to meet",
-            "was to leave",
-            "was to go",
-            "was to nearly stop",
-        ),
-        Teller::You => (
-            "aim",
-            "your",
-            "meets",
-            "leaves",
-            "will go",
-            "will nearly stop",
-        ),
-    };
+    let [i_aimed, my, meets, leaves, goes, stops] = [
+        ["I aimed", "aim"],
+        ["my", "your"],
+        ["was to meet", "meets"],
+        ["was to leave", "leaves"],
+        ["was to go", "will go"],
+        ["was to nearly stop", "will nearly stop"],
+    ]
+    .map(|words| words[teller as usize]);
     let piece = hit.piece;
     let article = if piece == Piece::Queen { "the" } else { "a" };
     let other = story.fall.is_some_and(|fall| fall.coin != hit.coin);
