@@ -110,12 +110,9 @@ impl BoardPage {
             BoardAction::Code(action) => {
                 if let Outcome::Done(number) = self.entry.act(action) {
                     // `parse` also refuses a number with a fraction.
-                    match BoardCode::parse(&number.to_string()) {
-                        Ok(code) => self.show(code),
-                        Err(error) => {
-                            self.notice = Some(format!("{}.", capital(&error.to_string())));
-                        }
-                    }
+                    let shown = BoardCode::parse(&number.to_string()).map(|code| self.show(code));
+                    let refused = shown.err();
+                    self.notice = refused.map(|why| format!("{}.", capital(&why.to_string())));
                 }
             }
             BoardAction::Play | BoardAction::Rules | BoardAction::Back => {}

@@ -21,7 +21,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
-use crate::game::{BoardCode, Rules};
+use crate::game::{BoardCode, GameSetup, Rules};
 use crate::messages::{Input, Key, Mouse};
 use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
@@ -96,6 +96,15 @@ impl Table {
         }
     }
 
+    /// The settings of the game that is being played or chosen.
+    fn setup(&self) -> Option<&GameSetup> {
+        match &self.page {
+            TablePage::NewGame(page) => Some(&page.options.setup),
+            TablePage::Playing(playing) => Some(&playing.game.options.setup),
+            TablePage::Board(_) | TablePage::Saved(_) => None,
+        }
+    }
+
     /// A table at which a game with these options begins at once; `seed` determines its opening
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
@@ -122,10 +131,8 @@ impl Screen for Table {
     }
 
     fn status(&self, _cx: &Context) -> String {
-        let setup = match &self.page {
-            TablePage::NewGame(page) => &page.options.setup,
-            TablePage::Board(_) | TablePage::Saved(_) => return String::new(),
-            TablePage::Playing(playing) => &playing.game.options.setup,
+        let Some(setup) = self.setup() else {
+            return String::new();
         };
         let rules = <&str>::from(setup.rules);
         let (masses, e) = (words::masses(setup.set), fixed(setup.restitution, 2));
@@ -143,10 +150,8 @@ impl Screen for Table {
 
     fn rules(&self) -> Option<Rules> {
         match &self.page {
-            TablePage::NewGame(page) => Some(page.options.setup.rules),
             TablePage::Board(_) => Some(Rules::Solo),
-            TablePage::Saved(_) => None,
-            TablePage::Playing(playing) => Some(playing.game.options.setup.rules),
+            _ => self.setup().map(|setup| setup.rules),
         }
     }
 
@@ -171,10 +176,7 @@ impl Screen for Table {
                     self.page = TablePage::Saved(Box::new(saved));
                 }
                 NewGameAction::Board => return Next::Open(Route::Board(None)),
-                NewGameAction::Rules => {
-                    let rules = page.options.setup.rules;
-                    return Next::Open(Route::Rules(rules));
-                }
+                NewGameAction::Rules => return Next::Open(Route::Rules(page.options.setup.rules)),
                 NewGameAction::Back => return Next::Back,
             },
             (TablePage::Board(page), TableAction::Board(action)) => match (action, page.code) {
@@ -182,10 +184,7 @@ impl Screen for Table {
                     let game = ActiveGame::on_board(code, page.par);
                     self.page = TablePage::Playing(Box::new(game.into()));
                 }
-                (BoardAction::Rules, _) => {
-                    let rules = Rules::Solo;
-                    return Next::Open(Route::Rules(rules));
-                }
+                (BoardAction::Rules, _) => return Next::Open(Route::Rules(Rules::Solo)),
                 (BoardAction::Back, _) => return Next::Back,
                 (action, _) => page.act(action),
             },

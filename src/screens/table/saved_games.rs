@@ -75,9 +75,8 @@ impl SavedGames {
             SavedGamesAction::WatchAll => self.watch = self.files.load(cx),
             SavedGamesAction::Export => {
                 if let Some((saved, _)) = self.files.content() {
-                    cx.ask(StoreRequest::Export(FileContent::Game(Box::new(
-                        saved.clone(),
-                    ))));
+                    let saved = FileContent::Game(Box::new(saved.clone()));
+                    cx.ask(StoreRequest::Export(saved));
                 }
             }
             SavedGamesAction::Back => return Next::Back,

@@ -8,14 +8,14 @@ use super::arranging::Arrange;
 use super::calling::Calling;
 use super::{ActiveGame, After, Aim, FirstHit, GameAction, GamePhase, Hinted, Preview, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::game::{Game, Move, Rules, opponent};
+use crate::game::{Game, Rules, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::{capital, fixed};
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::screens::Context;
 use crate::screens::table::aim::{SPEEDS, along_the_screen, rightwards};
 use crate::screens::table::preview::WayEnd;
 use crate::screens::table::{TableAction, TablePanel, picture, words};
+use crate::screens::{Context, Next};
 use crate::widgets::input::{EntryAction, KeyTable};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, offset};
@@ -264,7 +264,7 @@ impl ActiveGame {
         let preview = { self.options.company.call }.then(|| Preview::of(&struck, self.game()));
         match preview.flatten().as_ref().and_then(Preview::first_hit) {
             Some(hit) => Some(GamePhase::Call(Box::new(Calling::new(hit, None)))),
-            None => self.play(Move::Strike(struck), cx),
+            None => self.play(struck, cx),
         }
     }
 
@@ -274,9 +274,9 @@ impl ActiveGame {
             MouseKind::Down if inside => self.take_hold(at),
             MouseKind::Drag => self.lead(at),
             MouseKind::Up => return self.let_go(at, cx),
-            _ => return After::Ignored,
+            _ => return After::Screen(Next::Ignored),
         }
-        After::Same
+        After::Screen(Next::Stay)
     }
 
     /// Writes the aim, its first contact, and the score.

@@ -9,6 +9,7 @@ use crate::game::pieces::{COINS_EACH, count};
 use crate::game::{Coin, Game, Move, Piece};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Board;
+use crate::screens::Next;
 use crate::screens::table::aim::millimetres;
 use crate::screens::table::{TableAction, TablePanel, picture};
 use crate::widgets::input::KeyTable;
@@ -103,9 +104,9 @@ impl Arrange {
             }
             MouseKind::Drag => self.put_hand(at, game.game()),
             MouseKind::Up if self.held.is_some() => self.take_or_lay(game),
-            _ => return After::Ignored,
+            _ => return After::Screen(Next::Ignored),
         }
-        After::Same
+        After::Screen(Next::Stay)
     }
 
     /// The coin under the hand: the nearest one that it touches.

@@ -1,7 +1,7 @@
 //! Calls: predicting the first impact before the stroke.
 
 use super::{ActiveGame, FirstHit, GamePhase, ShownStroke};
-use crate::game::{Move, Strike};
+use crate::game::Strike;
 use crate::progress::{Attempt, Predicted, TABLE};
 use crate::screens::Context;
 use crate::screens::table::calls::call;
@@ -42,7 +42,7 @@ impl Calling {
             Some(stroke) => game.play_for_the_computer(stroke, call, cx),
             None => {
                 let strike = game.struck();
-                let watching = game.play(Move::Strike(Strike { call, ..strike }), cx);
+                let watching = game.play(Strike { call, ..strike }, cx);
                 watching.unwrap_or(GamePhase::Aim)
             }
         };

@@ -46,22 +46,19 @@ impl ActiveGame {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
             self.keeping.ticket = Some(ticket);
             self.keeping.trouble = None;
-            cx.keep(
-                ticket,
-                StoreRequest::Save(FileContent::Game(Box::new(self.saved(cx)))),
-            );
+            cx.keep(ticket, StoreRequest::Save(self.saved(cx)));
         }
     }
 
     /// The game in the form in which it is saved.
-    pub(super) fn saved(&self, cx: &Context) -> SavedGame {
-        SavedGame {
+    pub(super) fn saved(&self, cx: &Context) -> FileContent {
+        FileContent::Game(Box::new(SavedGame {
             player: cx.settings.player.clone(),
             company: self.options.saved_company(),
             record: self.history.record().clone(),
             hints: self.history.hints().to_vec(),
             end: Fingerprint::of(self.game()),
-        }
+        }))
     }
 
     /// Handles the results of saving and exporting.

@@ -25,7 +25,7 @@ use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use crate::game::opponent::StrokeHint;
-use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Player, Rules, Seat};
+use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Player, Rules, Seat, Strike};
 use crate::numbers::capital;
 use crate::physics::Shot;
 use crate::screens::{Context, Next, StrikeGuard};
@@ -105,20 +105,16 @@ pub enum GameAction {
 /// The consequence of an input.
 #[derive(Debug)]
 enum After {
-    /// The input was not used.
-    Ignored,
-    /// The phase continues.
-    Same,
     /// Another phase begins.
     Phase(GamePhase),
-    /// A consequence for the whole screen.
+    /// The phase continues, with a consequence for the whole screen.
     Screen(Next),
 }
 
 /// Another phase; with `None` the current one continues.
 impl From<Option<GamePhase>> for After {
     fn from(phase: Option<GamePhase>) -> Self {
-        phase.map_or(Self::Same, Self::Phase)
+        phase.map_or(Self::Screen(Next::Stay), Self::Phase)
     }
 }
 
@@ -237,9 +233,9 @@ impl ActiveGame {
     }
 
     /// Plays a stroke and starts its replay; `None` if the stroke cannot be played.
-    fn play(&mut self, stroke: Move, cx: &Context) -> Option<GamePhase> {
+    fn play(&mut self, strike: Strike, cx: &Context) -> Option<GamePhase> {
         let number = self.history.len();
-        let shot = self.make(stroke)?;
+        let shot = self.make(Move::Strike(strike))?;
         let past = self.history.past(number)?;
         let at_end = cx.settings.reduced_motion;
         let mut replay = StrokeReplay::new(number, shot, past, at_end, cx);

@@ -30,7 +30,7 @@ impl ActiveGame {
     /// nobody could read the result.
     pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
         match self.game().stage() {
-            GameStage::MatchOver(_) => After::Same,
+            GameStage::MatchOver(_) => After::Screen(Next::Stay),
             _ => self.next_board(cx),
         }
     }

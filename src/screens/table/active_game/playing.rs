@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::{ActiveGame, After, AimAction, GameAction, GamePhase, arranging, pictures, trays};
 use crate::game::laws::POINTS_TO_WIN;
 use crate::game::{GameStage, Piece, Rules};
-use crate::messages::{FileContent, Key, Mouse, StoreRequest};
+use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, TablePanel, picture, words};
 use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
 use crate::widgets::hit::{CONTACT, Face, HitPace, contact_picture};
@@ -97,22 +97,20 @@ impl Playing {
         self.game.notice = None;
         self.hand_over(cx);
         let game = &mut self.game;
-        let strikes = matches!(
-            (&self.phase, action),
-            (GamePhase::Aim, Aim(AimAction::Strike)) | (GamePhase::Over, Game(NextBoard))
-        );
-        match strikes {
-            true if !game.guard.allows() => return Next::Stay,
-            true => {}
-            false => game.guard.release(),
+        match (&self.phase, action) {
+            (GamePhase::Aim, Aim(AimAction::Strike)) | (GamePhase::Over, Game(NextBoard)) => {
+                if !game.guard.allows() {
+                    return Next::Stay;
+                }
+            }
+            _ => game.guard.release(),
         }
         let after = match (&mut self.phase, action) {
             (_, Game(LookBack)) => game.look_back(cx).into(),
             (_, Game(WatchAll)) => game.watch_all(cx).into(),
             (_, Game(Export)) => {
-                let saved = FileContent::Game(Box::new(game.saved(cx)));
-                cx.ask(StoreRequest::Export(saved));
-                After::Same
+                cx.ask(StoreRequest::Export(game.saved(cx)));
+                After::Screen(Next::Stay)
             }
             (phase, Game(Back)) => phase.back(game, cx),
             (GamePhase::Aim, Aim(action)) => game.aim_by(action, cx).into(),
@@ -122,11 +120,11 @@ impl Playing {
             (GamePhase::Watch(replay), Watch(action)) => replay.act(action, game, cx).into(),
             (GamePhase::Arrange(hand), Arrange(action)) => {
                 hand.act(action, game);
-                After::Same
+                After::Screen(Next::Stay)
             }
             (GamePhase::Over, Game(NextBoard)) => game.next_board(cx),
             (GamePhase::Over, Game(WatchBest)) => game.watch_best(cx).into(),
-            _ => After::Ignored,
+            _ => After::Screen(Next::Ignored),
         };
         self.follow(after, cx)
     }
@@ -142,14 +140,13 @@ impl Playing {
         let after = match &mut self.phase {
             GamePhase::Aim => game.aim_at(mouse, area, cx),
             GamePhase::Show(shown) if pressed => After::Phase(shown.strike(game, cx)),
-            GamePhase::Call(calling) => match calling.prediction.point(mouse, area) {
-                true => After::Same,
-                false => After::Ignored,
-            },
+            GamePhase::Call(calling) => {
+                After::Screen(Next::after(calling.prediction.point(mouse, area)))
+            }
             GamePhase::Watch(replay) if pressed => replay.click(game, cx),
             GamePhase::Arrange(hand) => hand.point(mouse, area, game),
             GamePhase::Over if pressed && game.guard.allows() => game.click_on_end(cx),
-            _ => After::Ignored,
+            _ => After::Screen(Next::Ignored),
         };
         self.follow(after, cx)
     }
@@ -161,13 +158,13 @@ impl Playing {
         let after = match &mut self.phase {
             GamePhase::Aim => {
                 self.game.strengthen(-by);
-                After::Same
+                After::Screen(Next::Stay)
             }
             GamePhase::Watch(replay) => match replay.player.wheel(by) {
                 Some(action) => replay.work(action, cx).into(),
-                None => After::Ignored,
+                None => After::Screen(Next::Ignored),
             },
-            _ => After::Ignored,
+            _ => After::Screen(Next::Ignored),
         };
         self.follow(after, cx)
     }
@@ -205,8 +202,6 @@ impl Playing {
     /// Changes the phase or the screen as the result of an action requires, and saves the game.
     fn follow(&mut self, after: After, cx: &mut Context) -> Next {
         let next = match after {
-            After::Ignored => Next::Ignored,
-            After::Same => Next::Stay,
             After::Phase(phase) => {
                 self.phase = phase;
                 self.game.guard = StrikeGuard::default();
@@ -282,7 +277,7 @@ impl GamePhase {
             _ if game.is_running() => return After::Screen(Next::Confirm(parting(game))),
             _ => return After::Screen(Next::Back),
         }
-        After::Same
+        After::Screen(Next::Stay)
     }
 
     /// Whether an enlarged impact is shown instead of the board.

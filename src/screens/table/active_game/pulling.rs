@@ -5,8 +5,8 @@ use glam::DVec2;
 
 use super::{ActiveGame, After, Aim};
 use crate::physics::angle::signed_angle;
-use crate::screens::Context;
 use crate::screens::table::aim::SPEEDS;
+use crate::screens::{Context, Next};
 
 /// The distance within which the mouse takes hold of the striker, in radii of the striker.
 const HOLD: f64 = 1.6;
@@ -110,7 +110,7 @@ impl ActiveGame {
     pub(super) fn let_go(&mut self, at: DVec2, cx: &Context) -> After {
         let Grip::Pull { before, .. } = self.grip else {
             self.grip = Grip::Free;
-            return After::Ignored;
+            return After::Screen(Next::Ignored);
         };
         self.draw_back(at, before);
         if self.is_drawn() {
@@ -118,7 +118,7 @@ impl ActiveGame {
             return self.strike(cx).into();
         }
         self.let_slip();
-        After::Same
+        After::Screen(Next::Stay)
     }
 
     /// Ends a pull without a stroke.

@@ -13,7 +13,7 @@ use super::{
     ActiveGame, Aim, GameAction, GamePhase, Hinted, Options, Player, Pointer, Preview, score,
 };
 use crate::game::opponent::{PlayerHand, Slip};
-use crate::game::{Call, Move, Strike, opponent};
+use crate::game::{Call, Strike, opponent};
 use crate::physics::Motion;
 use crate::screens::Context;
 use crate::screens::table::computer_stroke::ComputerStroke;
@@ -137,7 +137,7 @@ impl ActiveGame {
     ) -> GamePhase {
         let number = self.history.len();
         for strike in stroke.strikes() {
-            if let Some(watching) = self.play(Move::Strike(Strike { call, ..strike }), cx) {
+            if let Some(watching) = self.play(Strike { call, ..strike }, cx) {
                 self.history.notify(number, stroke.clone());
                 self.notice = None;
                 return watching;

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::*;
 use crate::game::SavedGame;
-use crate::messages::Key;
+use crate::messages::{FileContent, Key};
 use crate::screens::Settings;
 use crate::widgets::hit::HitPace;
 
@@ -42,7 +42,10 @@ fn press(playing: &mut Playing, keys: &str, cx: &mut Context) {
 /// Asserts that replaying the record gives the game on the table, bit for bit, even after it has
 /// been written to a file and read back.
 fn assert_recorded(active: &ActiveGame, cx: &Context) {
-    let text = active.saved(cx).text().unwrap();
+    let FileContent::Game(saved) = active.saved(cx) else {
+        panic!("a game is saved as a game");
+    };
+    let text = saved.text().unwrap();
     let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
     assert_eq!(&game, active.game());
     let again = ActiveGame::resume_saved(&read, 1).unwrap();

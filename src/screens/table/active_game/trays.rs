@@ -34,14 +34,11 @@ pub(super) fn draw(
         (None, None) => None,
     };
     let game = game.unwrap_or(active.game());
-    let falls = running.into_iter().flat_map(|replay| {
-        let now = replay.player.clock().time();
-        let falls = replay.falls.iter();
-        falls.map(move |fall| (fall, (now - fall.time) / FALL))
-    });
     let mut trays = pocketed(game);
     let mut on_the_way = Vec::new();
-    for (fall, share) in falls {
+    let now = replay.map_or(0.0, |replay| replay.player.clock().time());
+    for fall in running.iter().flat_map(|replay| &replay.falls) {
+        let share = (now - fall.time) / FALL;
         match owner(game, fall.piece) {
             Some(team) if share >= 1.0 => trays[team].push(fall.piece),
             Some(team) if share >= 0.0 => on_the_way.push((team, fall, share)),
@@ -65,11 +62,10 @@ fn sign(piece: Piece, look: &Look) -> (&'static str, Role) {
 fn owner(game: &Game, piece: Piece) -> Option<Team> {
     match piece {
         Piece::Striker => None,
-        Piece::Queen => Some(game.team(game.seat())),
-        _ if game.setup().rules == Rules::Points => Some(game.team(game.seat())),
-        coin => Team::BOTH
-            .into_iter()
-            .find(|team| game.colour(*team).piece() == coin),
+        Piece::White | Piece::Black if game.setup().rules != Rules::Points => {
+            { Team::BOTH.into_iter() }.find(|team| game.colour(*team).piece() == piece)
+        }
+        _ => Some(game.team(game.seat())),
     }
 }
 

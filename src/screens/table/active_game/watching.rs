@@ -11,10 +11,10 @@ use crate::messages::Key;
 use crate::numbers::capital;
 use crate::physics::{EventKind, Shot};
 use crate::quiz::why;
-use crate::screens::Context;
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::Past;
 use crate::screens::table::{TableAction, TablePanel, words};
+use crate::screens::{Context, Next};
 use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::ink::token;
 use crate::widgets::input::{KeyTable, ListAction};
@@ -170,7 +170,7 @@ impl StrokeReplay {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
             None if self.is_at_its_end() => After::Phase(self.go_on(game, cx)),
-            None => After::Ignored,
+            None => After::Screen(Next::Ignored),
         }
     }
 
