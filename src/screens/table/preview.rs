@@ -12,16 +12,16 @@ use crate::widgets::replay::{ShotImpact, impacts};
 pub(super) struct Preview {
     /// The corners of the path, including its start and end.
     pub(super) way: Vec<DVec2>,
-    pub(super) end: WayEnd,
+    /// The first impact, or how the path ends without one.
+    pub(super) hit: Result<FirstHit, Miss>,
 }
 
-/// How the striker's path ends.
+/// How the path of a striker that hits no coin ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum WayEnd {
-    Meets(FirstHit),
-    /// The striker falls into a pocket without hitting a coin.
+pub(super) enum Miss {
+    /// The striker falls into a pocket.
     Falls,
-    /// The striker comes to rest without hitting a coin.
+    /// The striker comes to rest.
     Stops,
     /// The striker comes to rest before reaching the coin with this index, which it would hit if it
     /// were struck harder.
@@ -57,20 +57,11 @@ impl Preview {
         let mut way = vec![strike.place];
         let legs = shot.path(0).take_while(|leg| leg.start < until);
         way.extend(legs.map(|leg| leg.to));
-        let end = match first {
-            Some(hit) => WayEnd::Meets(hit),
-            None if shot.at(0, shot.duration()).state == DiscState::Pocketed => WayEnd::Falls,
-            None => too_soft(strike, game).map_or(WayEnd::Stops, WayEnd::TooSoft),
-        };
-        Some(Self { way, end })
-    }
-
-    /// The first impact, if there is one.
-    pub(super) fn first_hit(&self) -> Option<FirstHit> {
-        match self.end {
-            WayEnd::Meets(hit) => Some(hit),
-            WayEnd::Falls | WayEnd::Stops | WayEnd::TooSoft(_) => None,
-        }
+        let hit = first.ok_or_else(|| match shot.at(0, shot.duration()).state {
+            DiscState::Pocketed => Miss::Falls,
+            _ => too_soft(strike, game).map_or(Miss::Stops, Miss::TooSoft),
+        });
+        Some(Self { way, hit })
     }
 }
 
@@ -107,7 +98,7 @@ mod tests {
             call: None,
         };
         let preview = Preview::of(&strike, &game).unwrap();
-        let hit = preview.first_hit().unwrap();
+        let hit = preview.hit.unwrap();
         assert_eq!(game.coins()[hit.coin].piece, Piece::White);
         assert!(hit.impact.collision.offset.abs() < 1e-12);
         let reach = hit.impact.collision.contact_distance();
@@ -128,7 +119,7 @@ mod tests {
                 ..GameSetup::default()
             });
             let preview = Preview::of(&strike, &game).unwrap();
-            let collision = preview.first_hit().unwrap().impact.collision;
+            let collision = preview.hit.unwrap().impact.collision;
             let outcome = collision.outcome();
             let separation = (outcome.v2 - outcome.v1).length();
             let approach = collision.u1.length();
@@ -145,16 +136,16 @@ mod tests {
             call: None,
         };
         let preview = Preview::of(&strike, &game).unwrap();
-        assert_eq!((preview.end, preview.way.len()), (WayEnd::Stops, 2));
+        assert_eq!((preview.hit, preview.way.len()), (Err(Miss::Stops), 2));
         strike.velocity = DVec2::new(0.0, 0.3);
-        let soft = Preview::of(&strike, &game).unwrap().end;
+        let soft = Preview::of(&strike, &game).unwrap().hit;
         strike.velocity.y = 3.0;
-        let hit = Preview::of(&strike, &game).unwrap().first_hit().unwrap();
-        assert_eq!(soft, WayEnd::TooSoft(hit.coin));
+        let hit = Preview::of(&strike, &game).unwrap().hit.unwrap();
+        assert_eq!(soft, Err(Miss::TooSoft(hit.coin)));
         // The striker goes into the corner next to the base line.
         let corner = DVec2::new(0.370 - 0.022_25, -0.370 + 0.022_25);
         strike.velocity = (corner - strike.place).normalize() * 2.0;
-        assert_eq!(Preview::of(&strike, &game).unwrap().end, WayEnd::Falls);
+        assert_eq!(Preview::of(&strike, &game).unwrap().hit, Err(Miss::Falls));
         strike.place = DVec2::ZERO;
         assert_eq!(Preview::of(&strike, &game), None);
     }

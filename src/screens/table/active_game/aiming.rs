@@ -13,7 +13,7 @@ use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::{capital, fixed};
 use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::screens::table::aim::{SPEEDS, along_the_screen, rightwards};
-use crate::screens::table::preview::WayEnd;
+use crate::screens::table::preview::Miss;
 use crate::screens::table::{TableAction, TablePanel, picture, words};
 use crate::screens::{Context, Next};
 use crate::widgets::input::{EntryAction, KeyTable};
@@ -262,7 +262,7 @@ impl ActiveGame {
         // A call is about the actual stroke, which includes the error of the hand.
         let struck = self.struck();
         let preview = { self.options.company.call }.then(|| Preview::of(&struck, self.game()));
-        match preview.flatten().as_ref().and_then(Preview::first_hit) {
+        match preview.flatten().and_then(|it| it.hit.ok()) {
             Some(hit) => Some(GamePhase::Call(Box::new(Calling::new(hit, None)))),
             None => self.play(struck, cx),
         }
@@ -367,13 +367,13 @@ impl ActiveGame {
         let Some(preview) = &self.preview else {
             return;
         };
-        match &preview.end {
+        match preview.hit {
             // Before a call the impact angle would reveal the coin's direction.
-            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.company.call, panel),
-            WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
-            WayEnd::Stops => panel.line("no hit", Role::Dim),
-            WayEnd::TooSoft(coin) => {
-                let coin = self.game().coins().get(*coin);
+            Ok(hit) => first_hit(self.game(), &hit, !self.options.company.call, panel),
+            Err(Miss::Falls) => panel.line("no hit: into the pocket", Role::Warn),
+            Err(Miss::Stops) => panel.line("no hit", Role::Dim),
+            Err(Miss::TooSoft(coin)) => {
+                let coin = self.game().coins().get(coin);
                 let coin = coin.map_or_else(|| "coin".to_owned(), |coin| coin.piece.to_string());
                 panel.line(format!("too soft to reach the {coin}"), Role::Warn);
             }

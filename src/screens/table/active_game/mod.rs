@@ -309,6 +309,6 @@ impl ActiveGame {
 
     /// The first collision of the aim, if there is one.
     pub(super) fn first_hit(&self) -> Option<FirstHit> {
-        self.preview.as_ref()?.first_hit()
+        self.preview.as_ref()?.hit.ok()
     }
 }

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::pulling::Grip;
 use super::showing::ShownStroke;
 use super::watching::{FALL, StrokeReplay};
-use super::{ActiveGame, FirstHit, Pointer, Preview};
+use super::{ActiveGame, FirstHit, Pointer};
 use crate::game::opponent::Slip;
 use crate::game::{Piece, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
@@ -104,8 +104,8 @@ pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> P
     if shown.parts > 1 {
         meant(&mut picture, &shown.stroke, Role::Aim);
         let preview = shown.stroke.preview.as_ref();
-        if let Some(ghost) = preview.and_then(Preview::first_hit).map(|hit| hit.ghost()) {
-            board::ghost(&mut picture, ghost, radius, Role::Predicted);
+        if let Some(hit) = preview.and_then(|it| it.hit.ok()) {
+            board::ghost(&mut picture, hit.ghost(), radius, Role::Predicted);
         }
     }
     let striker = body(active.set(), Piece::Striker, aim.place);

@@ -58,7 +58,7 @@ impl ShownStroke {
     pub(super) fn call(&self, game: &mut ActiveGame, cx: &Context) -> GamePhase {
         let [struck, _] = self.stroke.strikes();
         let preview = Preview::of(&struck, game.game());
-        let Some(hit) = preview.as_ref().and_then(Preview::first_hit) else {
+        let Some(hit) = preview.and_then(|it| it.hit.ok()) else {
             return self.strike(game, cx);
         };
         let calling = Calling::new(hit, Some(self.stroke.clone()));
@@ -106,7 +106,7 @@ impl ShownStroke {
             strength(aim, panel);
         }
         panel.gap();
-        let hit = self.stroke.preview.as_ref().and_then(Preview::first_hit);
+        let hit = { self.stroke.preview.as_ref() }.and_then(|it| it.hit.ok());
         if let Some(hit) = hit.filter(|_| self.parts > 2) {
             first_hit(game.game(), &hit, false, panel);
         }

@@ -135,7 +135,7 @@ fn presses(game: &mut ActiveGame, meant: &Strike, cx: &Context) -> [usize; 3] {
     let preview = Preview::of(meant, game.game());
     let contact = preview
         .filter(|it| it.way.len() == 2)
-        .and_then(|it| it.first_hit());
+        .and_then(|it| it.hit.ok());
     let way = contact.map_or(meant.velocity, |hit| hit.ghost() - game.aim.place);
     let mut wanted = game.aim;
     wanted.point_at(wanted.place + way, seat);
