@@ -121,20 +121,22 @@ fn draw_tray(
             runs: runs.collect(),
         })
     });
+    let name = look.charset.text(name);
     // In a small window, one sign for each kind of piece leaves room for the name.
     let mut tray = tray.to_vec();
-    if text::width(name) + 2 + tray.len() + count.len() > usize::from(half) {
+    if text::width(&name) + 2 + tray.len() + count.len() > usize::from(half) {
         tray.dedup();
     }
     let signs = || tray.iter().map(|piece| sign(*piece, look));
     let needed = (tray.len() + count.len()) as u16;
-    let name = match text::width(name) as u16 + 2 + needed <= half {
+    let name = match text::width(&name) as u16 + 2 + needed <= half {
         true => format!(" {name} "),
         false => " ".to_owned(),
     };
+    let width = text::width(&name) as u16 + needed;
     let mut column = match team {
         Team::First => board.x,
-        Team::Second => board.right().saturating_sub(needed + name.len() as u16),
+        Team::Second => board.right().saturating_sub(width),
     };
     for (words, role) in iter::once((name.as_str(), Role::Dim)).chain(signs()) {
         put((column, board.bottom()), words, role, buf, look);
@@ -173,4 +175,33 @@ fn on_the_frame(board: Rect, corner: usize, column: u16, share: f64) -> (u16, u1
         turn.lerp(to, ((gone - down) / along.max(1.0)).min(1.0))
     };
     (at.x.round() as u16, at.y.round() as u16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::Seat;
+    use crate::screens::Settings;
+    use crate::screens::table::Options;
+    use crate::widgets::Charset;
+
+    #[test]
+    fn the_second_tray_ends_at_the_edge_of_the_board_whatever_the_letters_of_the_name() {
+        let board = Rect::new(1, 2, 39, 20);
+        for name in ["Ada", "Zoë", "Ольга", "李明"] {
+            let mut options = Options::two_people();
+            options.company.names.set(Seat::North, name);
+            let active = ActiveGame::new(options, 1);
+            for charset in [Charset::Ascii, Charset::Unicode] {
+                let settings = Settings {
+                    charset,
+                    ..Settings::default()
+                };
+                let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
+                let (look, tray) = (settings.look(), [Piece::Black; 2]);
+                let next = draw_tray(&active, Team::Second, &tray, board, &mut buf, &look);
+                assert_eq!(next + " 2 ".len() as u16, board.right(), "{name}");
+            }
+        }
+    }
 }
