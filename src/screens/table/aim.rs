@@ -3,7 +3,9 @@
 use glam::DVec2;
 
 use crate::game::{BaseLines, Game, Rules, Seat, Strike};
+use crate::numbers::fixed;
 use crate::physics::angle::heading;
+use crate::physics::units::mm_from_m;
 use crate::physics::{Board, Motion};
 
 /// The speeds of the slowest and the fastest stroke, in m/s.
@@ -158,8 +160,8 @@ impl Aim {
 
 /// A position on the board in millimetres from its centre, to the right and up.
 pub(super) fn millimetres(at: DVec2) -> String {
-    let at = at * 1000.0 + DVec2::ZERO;
-    format!("{:.0}, {:.0} mm", at.x, at.y)
+    let [x, y] = at.to_array().map(|metres| fixed(mm_from_m(metres), 0));
+    format!("{x}, {y} mm")
 }
 
 /// The direction of a step to the right or up on the screen: along the base lines of a seat, or
@@ -210,6 +212,12 @@ mod tests {
             assert_eq!(game.check_place(aim.place), Ok(()));
             assert!(aim.place_words(&game).ends_with("circle"));
         }
+    }
+
+    #[test]
+    fn a_position_that_rounds_to_zero_has_no_sign() {
+        let at = DVec2::new(-0.000_4, -0.012);
+        assert_eq!(millimetres(at), "0, -12 mm");
     }
 
     #[test]
