@@ -322,8 +322,8 @@ impl Game {
         let steps = match self.setup.rules {
             Rules::Practice | Rules::Solo => 0,
             _ => {
-                let games = score.games[Team::First] + score.games[Team::Second];
-                games.saturating_add(score.boards)
+                let games = Team::BOTH.map(|team| u32::from(score.games[team]));
+                games.iter().sum::<u32>() + u32::from(score.boards)
             }
         };
         // After four steps the order repeats, in doubles and in singles.

@@ -1,5 +1,5 @@
 use super::laying::{Queen, Table, cited, expect, spread, stroke, table};
-use crate::game::laws::RulingEffect;
+use crate::game::laws::{BoardWon, Rules, RulingEffect};
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::StrokeError;
@@ -136,6 +136,21 @@ fn law_22a_the_break_alternates_in_a_game_and_the_first_break_alternates_between
     assert_eq!(table.0.seat(), North, "the second game");
     assert_eq!(table.0.board_number(), 1);
     assert_eq!(table.0.score().games[Team::First], 1);
+}
+
+#[test]
+fn the_break_still_alternates_after_hundreds_of_friendly_boards() {
+    let mut game = Game::new(GameSetup {
+        rules: Rules::Friendly,
+        ..GameSetup::default()
+    });
+    let won = |winner| BoardWon { winner, points: 1 };
+    game.finished = (0..300).map(|i| won(Team::BOTH[i % 2])).collect();
+    for seat in [Seat::North, Seat::South, Seat::North] {
+        game.play.won = Some(won(Team::First));
+        game.next_board().unwrap();
+        assert_eq!(game.seat(), seat);
+    }
 }
 
 #[test]
