@@ -2,7 +2,8 @@
 //! for bit.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
+use serde::de::{Error as _, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize};
 use strum::IntoStaticStr;
 use thiserror::Error;
 
@@ -56,15 +57,26 @@ pub struct Strike {
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
 /// the signs of [`physics::CollisionOutcome`]: the striker's positive anticlockwise, the coin's
 /// positive clockwise. `None` means that the disc is at rest after the impact.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Call {
     /// Scattering angle of the striker.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "angle")]
     pub striker_deg: Option<f64>,
     /// Recoil angle of the coin.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "angle")]
     pub coin_deg: Option<f64>,
+}
+
+/// Reads an angle in degrees. A file may contain any number, but a player can type only nine
+/// digits.
+fn angle<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    let degrees = f64::deserialize(from)?;
+    let found = Unexpected::Float(degrees);
+    match degrees.abs() < 1e9 {
+        true => Ok(Some(degrees)),
+        false => Err(D::Error::invalid_value(found, &"an angle in degrees")),
+    }
 }
 
 /// Why a move cannot be made.

@@ -419,6 +419,14 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
             "line 13: moves: move 1: ",
         ),
         (
+            "no-angle",
+            with(
+                "moves = [\n",
+                "moves = [\n  { strike = { place_m = [0.0, -0.2526], velocity_m_s = [0.0, 1.0], call = { coin_deg = nan } } },\n",
+            ),
+            "line 13: moves: expected an angle in degrees, found NaN",
+        ),
+        (
             "too-early",
             with("moves = [\n", "moves = [\n  \"next_board\",\n"),
             "line 13: moves: move 1: ",
