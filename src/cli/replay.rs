@@ -12,6 +12,7 @@ use crate::game::{
     Coin, Fingerprint, Game, GameSetup, Piece, RecordError, Ruling, SavedGame, Seat, SeatNames,
     Strike, Team,
 };
+use crate::numbers::counted;
 use crate::physics::units::mm_from_m;
 
 /// Replay a saved or exported game and print what the referee says
@@ -155,7 +156,8 @@ impl ReplayReport {
         let end = &self.r#final;
         let [points, games] = [end.points, end.games].map(|[a, b]| format!("{a} : {b}"));
         text += &format!(
-            "\nafter {strokes} strokes: board {}, points {points}, games {games}, turn {}\n",
+            "\nafter {}: board {}, points {points}, games {games}, turn {}\n",
+            counted(strokes, "stroke"),
             end.board,
             name(end.turn),
         );
