@@ -378,7 +378,7 @@ impl ActiveGame {
                 panel.line(format!("too soft to reach the {coin}"), Role::Warn);
             }
         }
-        if self.options.company.call && self.first_hit().is_some() {
+        if self.options.company.call && preview.hit.is_ok() {
             panel.line("you will call this hit", Role::Key);
         }
     }
@@ -390,8 +390,7 @@ impl ActiveGame {
         };
         let [degrees, percent] = errors.in_figures();
         panel.fact("your hand", format!("± {degrees}°, ± {percent} %"));
-        let way = self.preview.as_ref().map_or(&[][..], |it| &it.way);
-        if self.first_hit().is_some() {
+        if let Some(Preview { way, hit: Ok(_) }) = &self.preview {
             let length: f64 = way.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
             let beside = fixed(mm_from_m(errors.direction * length), 1);
             panel.fact("so b varies by", format!("± {beside} mm"));

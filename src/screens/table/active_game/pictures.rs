@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::pulling::Grip;
 use super::showing::ShownStroke;
 use super::watching::{FALL, StrokeReplay};
-use super::{ActiveGame, FirstHit, Pointer};
+use super::{ActiveGame, FirstHit, Pointer, Preview};
 use crate::game::opponent::Slip;
 use crate::game::{Piece, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
@@ -103,8 +103,7 @@ pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> P
     let (aim, radius) = (&shown.stroke.aim, active.set().striker_radius());
     if shown.parts > 1 {
         meant(&mut picture, &shown.stroke, Role::Aim);
-        let preview = shown.stroke.preview.as_ref();
-        if let Some(hit) = preview.and_then(|it| it.hit.ok()) {
+        if let Some(Preview { hit: Ok(hit), .. }) = &shown.stroke.preview {
             board::ghost(&mut picture, hit.ghost(), radius, Role::Predicted);
         }
     }
