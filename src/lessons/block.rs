@@ -41,56 +41,37 @@ pub enum Tone {
 
 /// Reads the blocks of text in these lines.
 pub(super) fn read(lines: &[SourceLine], page: &PageSource) -> Option<Vec<TextBlock>> {
-    let mut blocks = Vec::new();
-    let mut open: Option<OpenBlock> = None;
-    for &(number, line) in lines {
-        let text = line.trim();
-        let formula = text
-            .strip_prefix("$$")
-            .and_then(|rest| rest.strip_suffix("$$"));
-        let (item, rest) = item(text);
-        let ends = text.is_empty() || formula.is_some() || item.is_some();
-        if let Some(done) = open.take_if(|_| ends) {
-            blocks.push(done.close(page));
-        }
-        if let Some(formula) = formula {
-            let formula = page.source.accept(number, Formula::read(formula));
-            blocks.push(formula.map(TextBlock::Formula));
-        } else if !text.is_empty() {
-            match &mut open {
-                Some(open) => {
-                    open.text.push('\n');
-                    open.text.push_str(text);
-                }
-                None => {
-                    open = Some(OpenBlock {
-                        line: number,
-                        item,
-                        text: rest.to_owned(),
-                    });
-                }
-            }
-        }
-    }
-    blocks.extend(open.map(|open| open.close(page)));
-    all(blocks)
+    let is_text = |text: &str| !text.is_empty() && formula(text).is_none();
+    let goes_on = |(_, before): &SourceLine, (_, text): &SourceLine| {
+        let (before, text) = (before.trim(), text.trim());
+        is_text(before) && is_text(text) && item(text).0.is_none()
+    };
+    let blocks = lines.chunk_by(goes_on);
+    let blocks = blocks.filter(|lines| lines.iter().any(|(_, text)| !text.trim().is_empty()));
+    all(blocks.map(|lines| block(lines, page)).collect())
 }
 
-/// A paragraph or a list item that is still being read.
-struct OpenBlock {
-    line: usize,
-    item: Option<Option<u32>>,
-    text: String,
+/// Reads the lines of one block.
+fn block(lines: &[SourceLine], page: &PageSource) -> Option<TextBlock> {
+    let ((number, first), others) = lines.split_first()?;
+    let first = first.trim();
+    if let Some(formula) = formula(first) {
+        let formula = page.source.accept(*number, Formula::read(formula));
+        return formula.map(TextBlock::Formula);
+    }
+    let (item, rest) = item(first);
+    let others = others.iter().map(|(_, text)| text.trim());
+    let text: Vec<&str> = std::iter::once(rest).chain(others).collect();
+    let pieces = inline::read(*number, &text.join("\n"), page)?;
+    Some(match item {
+        None => TextBlock::Paragraph(pieces),
+        Some(number) => TextBlock::Item(number, pieces),
+    })
 }
 
-impl OpenBlock {
-    fn close(self, page: &PageSource) -> Option<TextBlock> {
-        let pieces = inline::read(self.line, &self.text, page)?;
-        Some(match self.item {
-            None => TextBlock::Paragraph(pieces),
-            Some(number) => TextBlock::Item(number, pieces),
-        })
-    }
+/// The formula on a line of its own.
+fn formula(text: &str) -> Option<&str> {
+    text.strip_prefix("$$")?.strip_suffix("$$")
 }
 
 /// The list item that begins on a line, with its number and the rest of the line.
