@@ -547,8 +547,8 @@ fn screen_of(route: Route, cx: &mut Context) -> Option<Box<dyn AnyScreen>> {
         Route::LabOf { setup, hidden } => hosted(Lab::of(setup, hidden)),
         Route::Learn => hosted(Contents::new(cx)),
         Route::Glossary => hosted(GlossaryScreen::default()),
-        Route::Chapter(number) => hosted(Reading::new(number, cx)?),
-        Route::Page { chapter, page } => hosted(Reading::visit(chapter, page, cx)?),
+        Route::Chapter(number) => hosted(Reading::new(number, None, cx)?),
+        Route::Page { chapter, page } => hosted(Reading::new(chapter, Some(page), cx)?),
         Route::Quiz(Some(code)) => hosted(Quiz::new(code)),
         Route::Quiz(None) => hosted(Choosing::ask(cx)),
         Route::OpenRound {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Chapter, ChapterPage, Checkpoint};
+use super::{Chapter, ChapterPage};
 use crate::quiz::Response;
 
 /// How far a chapter has been read.
@@ -49,18 +49,17 @@ impl Bookmark {
     #[must_use]
     pub(crate) fn answering(
         page: &ChapterPage,
-        asked: &Checkpoint,
         (answer, first): (Response, Option<Response>),
         right: bool,
     ) -> Self {
         let mut mark = Self::at(page);
-        let given = GivenAnswer {
+        let given = page.checkpoint.as_ref().map(|asked| GivenAnswer {
             asked: asked.written.clone(),
             answer,
             right,
             first,
-        };
-        mark.pages.insert(page.title.clone(), Some(given));
+        });
+        mark.pages.insert(page.title.clone(), given);
         mark
     }
 

@@ -1,6 +1,6 @@
 //! The figure of a page.
 
-use strum::{EnumString, VariantNames};
+use strum::{EnumString, IntoStaticStr, VariantNames};
 
 use super::{CollisionSpec, header::Shots, words::Words};
 
@@ -105,7 +105,7 @@ impl Default for Filming {
 }
 
 /// What a student can set in a figure of a film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "lowercase")]
 pub enum FilmSetting {
     /// The frame rate.

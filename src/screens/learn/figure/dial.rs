@@ -1,9 +1,11 @@
-//! What a student sets in a figure, other than α.
+//! What a student sets in a figure: the impact angle or another quantity.
 
-use super::{film, momenta};
-use crate::lessons::FigureKind;
+use super::{LiveFigure, momenta};
+use crate::lessons::{FigureKind, FilmSetting};
 use crate::numbers::tidy;
-use crate::physics::Collision;
+
+/// The name of the dial for the impact angle.
+pub(super) const ALPHA: &str = "α";
 
 /// A value between two ends, set in steps.
 pub(super) struct FigureDial {
@@ -15,16 +17,25 @@ pub(super) struct FigureDial {
 }
 
 impl FigureDial {
-    /// The dial of a kind of figure, if it has one.
-    pub(super) fn of(kind: FigureKind, collision: &Collision) -> Option<Self> {
+    /// The dial of a figure, if it has one.
+    pub(super) fn of(figure: &LiveFigure) -> Option<Self> {
+        use FigureKind::{Angles, Curves, Energy, Frames, Triangle};
+        let (kind, collision) = (figure.figure.kind, &figure.collision);
         let (name, value, range) = match kind {
+            Angles | Curves | Energy | Frames | Triangle { .. } => {
+                (ALPHA, figure.alpha_deg(), (0.0, 90.0, 1.0))
+            }
             FigureKind::Force { time_ms } => {
                 let (shortest, longest) = FigureKind::CONTACT_MS;
                 ("time", time_ms, (shortest, longest, 0.1))
             }
             FigureKind::Film { mut filming } => {
                 let sets = filming.sets;
-                (film::name(sets), *filming.of(sets), sets.range())
+                let name = match sets {
+                    FilmSetting::Rate => "frame rate",
+                    other => other.into(),
+                };
+                (name, *filming.of(sets), sets.range())
             }
             FigureKind::Parts => ("e", collision.restitution, (0.0, 1.0, 0.05)),
             FigureKind::Coalesce | FigureKind::Explosion { .. } => {

@@ -24,16 +24,6 @@ const WITHIN: f64 = 0.37;
 /// The rows below the picture, enough for the longest verdict in the narrowest figure.
 const ROWS: u16 = 7;
 
-/// The name of a setting in the line of keys.
-pub(super) fn name(setting: FilmSetting) -> &'static str {
-    match setting {
-        FilmSetting::Rate => "frame rate",
-        FilmSetting::Noise => "noise",
-        FilmSetting::Scale => "scale",
-        FilmSetting::Tilt => "tilt",
-    }
-}
-
 /// A film and its measurement.
 #[derive(Debug, Clone)]
 pub(super) struct FilmFigure {

@@ -22,7 +22,7 @@ use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::tidy;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint, Meeting};
+use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil::{FoilFigure, FoilFigureAction};
 use crate::screens::route::FoilPage;
@@ -30,12 +30,11 @@ use crate::widgets::hit::{
     Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
 use crate::widgets::input::{FormAction, KeyTable};
-use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, RayInput, areas, curves, svg};
 
 use contact::ContactForce;
-use dial::FigureDial;
+use dial::{ALPHA, FigureDial};
 use film::FilmFigure;
 use worked::WorkedFigure;
 
@@ -49,7 +48,7 @@ pub(crate) enum FigureAction {
     /// change α
     Alpha(i8),
     /// set α for a head-on or a grazing collision
-    AlphaEnd(i8),
+    AlphaEnd(u8),
     /// change what the figure shows: e, an angle, the contact time or how the collision is filmed
     Dial(i8),
     /// set the same quantity to its smallest or its largest value
@@ -84,8 +83,8 @@ impl<'a> FigureArea<'a> {
 /// A figure with its current state.
 #[derive(Debug, Clone)]
 pub(super) struct LiveFigure {
-    figure: Figure,
-    collision: Collision,
+    pub(super) figure: Figure,
+    pub(super) collision: Collision,
     /// Whether the outcome is still hidden.
     hidden: bool,
     state: FigureState,
@@ -157,15 +156,6 @@ impl LiveFigure {
         };
     }
 
-    pub(super) fn collision(&self) -> &Collision {
-        &self.collision
-    }
-
-    /// The collision as settings of the lab.
-    pub(super) fn setup(&self) -> CollisionSpec {
-        CollisionSpec::from(&self.collision)
-    }
-
     /// The question of where both discs will go, if the shot is given by the impact angle and suits
     /// the quiz: smooth discs, the coin at rest.
     pub(super) fn question_by_angle(&self) -> Option<Hit> {
@@ -222,40 +212,25 @@ impl LiveFigure {
 
     /// Whether the figure uses arrow keys, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
-        self.has_alpha() || self.dial().is_some() || self.is_text()
+        self.dial().is_some() || self.worked().is_some()
     }
 
-    /// Whether the figure is text rather than a picture.
-    pub(super) fn is_text(&self) -> bool {
-        matches!(self.state, FigureState::Worked(_))
+    /// The worked solution, if the figure is text rather than a picture.
+    pub(super) fn worked(&self) -> Option<&WorkedFigure> {
+        match &self.state {
+            FigureState::Worked(worked) => Some(worked),
+            _ => None,
+        }
     }
 
     /// Whether a number is being typed in the figure.
     pub(super) fn is_typing(&self) -> bool {
-        matches!(&self.state, FigureState::Worked(worked) if worked.is_typing())
+        self.worked().is_some_and(WorkedFigure::is_typing)
     }
 
-    pub(super) fn write(&self, panel: &mut Panel<FigureAction>) {
-        if let FigureState::Worked(worked) = &self.state {
-            worked.write(&self.collision, panel);
-        }
-    }
-
-    /// Whether the student sets α here. All such figures of a chapter have the same α.
-    pub(super) fn is_own(&self) -> bool {
-        self.figure.own
-    }
-
-    /// Whether the figure has a setting for α.
-    fn has_alpha(&self) -> bool {
-        use FigureKind::{Angles, Curves, Energy, Frames, Triangle};
-        let kind = self.figure.kind;
-        !self.hidden && matches!(kind, Curves | Angles | Energy | Triangle { .. } | Frames)
-    }
-
-    /// The setting other than α that the student controls in this figure, if there is one.
+    /// What the student sets in this figure, if there is anything to set.
     fn dial(&self) -> Option<FigureDial> {
-        FigureDial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
+        FigureDial::of(self).filter(|_| !self.hidden)
     }
 
     /// Sets the dial, if there is one, to the step nearest to a value; returns whether there is one.
@@ -268,13 +243,14 @@ impl LiveFigure {
         match &mut self.figure.kind {
             FigureKind::Force { time_ms } => *time_ms = value,
             FigureKind::Parts => collision.restitution = value,
-            FigureKind::Film { filming } => {
-                *filming.of(filming.sets) = value;
-                self.set_up(None, HitPace::Still);
-            }
+            FigureKind::Film { filming } => *filming.of(filming.sets) = value,
             FigureKind::Explosion { third_g: None } => momenta::turn_pieces(collision, value),
-            _ => momenta::turn_second(collision, value),
+            FigureKind::Explosion { .. } | FigureKind::Coalesce => {
+                momenta::turn_second(collision, value);
+            }
+            _ => *collision = collision.with_alpha(rad_from_deg(value)),
         }
+        self.set_up(None, HitPace::Still);
         true
     }
 
@@ -323,15 +299,17 @@ impl LiveFigure {
     /// The keys that control the figure.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
         use FigureAction::{Alpha, AlphaEnd, Dial, DialEnd, Foil};
-        let keys = KeyTable::new("figure");
-        let setting = |by: fn(i8) -> FigureAction, ends: [FigureAction; 2], name| {
-            (keys.clone())
-                .by([Key::Left, Key::Right], by, [-1, 1], name)
+        let mut keys = KeyTable::new("figure");
+        if let Some(dial) = self.dial() {
+            let (by, end): (fn(i8) -> FigureAction, fn(u8) -> FigureAction) = match dial.name {
+                ALPHA => (Alpha, AlphaEnd),
+                _ => (Dial, DialEnd),
+            };
+            keys = keys
+                .by([Key::Left, Key::Right], by, [-1, 1], dial.name)
                 .or([('<', by(-LEAP)), ('>', by(LEAP))])
-                .each([Key::Home, Key::End].into_iter().zip(ends), "")
-        };
-        let alpha = || setting(Alpha, [AlphaEnd(0), AlphaEnd(90)], "α");
-        let dial = |dial: FigureDial| setting(Dial, [DialEnd(0), DialEnd(1)], dial.name);
+                .by([Key::Home, Key::End], end, [0, 1], "");
+        }
         let watched = |watch: &Watch| {
             use WatchAction::{Again, Frame, Scrub, ToggleLayer};
             let spare = |action| matches!(action, Frame | Scrub(_) | ToggleLayer(_));
@@ -346,26 +324,21 @@ impl LiveFigure {
                 // If the collision is shown in two frames, no key switches to another frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
-                    alpha().with(watched, FigureAction::Watch)
+                    keys.with(watched, FigureAction::Watch)
                 }
             },
             FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
-            FigureState::Plain if self.has_alpha() => alpha(),
-            FigureState::Plain | FigureState::Film(_) => self.dial().map_or(keys.clone(), dial),
+            FigureState::Plain | FigureState::Film(_) => keys,
         }
     }
 
     pub(super) fn act(&mut self, action: FigureAction) {
         match (action, &mut self.state) {
-            (FigureAction::Alpha(by), _) => {
-                self.set_alpha((self.alpha_deg() + f64::from(by)).round());
-            }
-            (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
-            (FigureAction::Dial(by), _) => {
+            (FigureAction::Alpha(by) | FigureAction::Dial(by), _) => {
                 self.set_dial(|dial| dial.stepped(by));
             }
-            (FigureAction::DialEnd(end), _) => {
+            (FigureAction::AlphaEnd(end) | FigureAction::DialEnd(end), _) => {
                 self.set_dial(|dial| dial.at(end.into()));
             }
             (action, FigureState::Worked(worked)) => worked.act(action, &mut self.collision),
@@ -380,14 +353,6 @@ impl LiveFigure {
     /// The impact angle in degrees.
     pub(super) fn alpha_deg(&self) -> f64 {
         tidy(self.collision.alpha().map_or(0.0, deg_from_rad))
-    }
-
-    fn set_alpha(&mut self, alpha_deg: f64) {
-        let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
-        self.collision = self.collision.with_alpha(alpha);
-        if self.figure.kind == FigureKind::Frames {
-            self.set_up(None, HitPace::Still);
-        }
     }
 
     /// Handles the mouse over the picture, where `rays` can be turned; returns whether the mouse
@@ -411,20 +376,22 @@ impl LiveFigure {
             return plot.mouse(mouse, area);
         }
         let watched = match &self.state {
-            FigureState::Plain if held && self.has_alpha() => {
-                let alpha = match self.figure.kind {
-                    FigureKind::Triangle { .. } => triangle::alpha_at(self, area, cell),
-                    kind => curves::alpha_at(kind, &self.collision, area, look, cell),
-                };
-                if let Some(alpha) = alpha {
-                    self.set_alpha(alpha.round());
-                }
-                return alpha.is_some();
-            }
-            // The dial runs from the left edge of the picture to the right edge.
             FigureState::Plain | FigureState::Film(_) if held => {
-                let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
-                return self.set_dial(|dial| dial.at(share));
+                let collision = &self.collision;
+                let value = match self.figure.kind {
+                    FigureKind::Triangle { step } => {
+                        triangle::alpha_at(collision, step, area, cell)
+                    }
+                    kind @ (FigureKind::Angles | FigureKind::Curves | FigureKind::Energy) => {
+                        curves::alpha_at(kind, collision, area, look, cell)
+                    }
+                    // Other dials run from the left edge of the picture to the right edge.
+                    _ => {
+                        let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
+                        self.dial().map(|dial| dial.at(share))
+                    }
+                };
+                return value.is_some_and(|value| self.set_dial(|_| value));
             }
             FigureState::Hits(_) => match mouse.kind {
                 MouseKind::ScrollUp => Some(Key::Char('.')),

@@ -6,8 +6,7 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::{FigureArea, LiveFigure};
-use crate::lessons::FigureKind;
+use super::FigureArea;
 use crate::numbers::fixed;
 use crate::physics::Collision;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
@@ -45,11 +44,12 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
 }
 
 /// The impact angle α, in degrees, at which v₂ lies along the line from this cell to the tip of u.
-pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
-    let collision = shown.collision();
-    let FigureKind::Triangle { step } = shown.figure.kind else {
-        return None;
-    };
+pub(super) fn alpha_at(
+    collision: &Collision,
+    step: u8,
+    area: Rect,
+    (column, row): (u16, u16),
+) -> Option<f64> {
     let [picture, _] = areas::upper(area, area.height.saturating_sub(LINES));
     let at = view(collision, step, picture).world_at(column, row);
     // If the tip of v₁ is at this point, v₂ runs from it to the tip of u, at an angle α below u.

@@ -12,7 +12,7 @@ use crate::widgets::panel::Panel;
 
 /// A worked solution, open at a step.
 #[derive(Debug, Clone)]
-pub(super) struct WorkedFigure {
+pub(in crate::screens::learn) struct WorkedFigure {
     /// The current step, counted from 0.
     step: usize,
     /// The first step with blank results, counted from 1; `None` once the results are shown.
@@ -137,7 +137,11 @@ impl WorkedFigure {
     }
 
     /// Writes the current step, below the settings, if there are any.
-    pub(super) fn write(&self, collision: &Collision, panel: &mut Panel<FigureAction>) {
+    pub(in crate::screens::learn) fn write(
+        &self,
+        collision: &Collision,
+        panel: &mut Panel<FigureAction>,
+    ) {
         if let Some(form) = &self.form {
             let numbers = numbers(collision);
             panel.part(FigureAction::Set, |panel| form.write(&numbers, panel));

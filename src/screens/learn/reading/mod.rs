@@ -13,6 +13,7 @@ use super::figure::{FigureAction, LiveFigure, svg_of, words};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, Forget};
 use crate::messages::{Input, Key, Mouse, StoreReply};
+use crate::physics::CollisionSpec;
 use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, RayAction};
@@ -71,25 +72,17 @@ pub(crate) struct Reading {
 const SAY_FIRST: &str = "Give your answer first.";
 
 impl Reading {
-    /// A chapter, at the page where it was left; `None` if there is no such chapter.
-    pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
-        cx.book.chapter(number)?;
-        cx.book.at = number;
-        Self::opened(number, None, cx)
-    }
-
-    /// A chapter, opened at a page to look something up; `None` if there is no such chapter. The
-    /// bookmark does not move.
-    pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
-        cx.ask_for_marks();
-        Self::opened(number, Some(page), cx)
-    }
-
-    fn opened(number: usize, visited: Option<usize>, cx: &mut Context) -> Option<Self> {
+    /// A chapter, at the page where it was left or, to look something up, at the `visited` page;
+    /// then the bookmark does not move. `None` if there is no such chapter.
+    pub(crate) fn new(number: usize, visited: Option<usize>, cx: &mut Context) -> Option<Self> {
         let mut reading = Self {
             visited,
             ..Self::closed(number, cx.book.chapter(number)?)
         };
+        match visited {
+            None => cx.book.at = number,
+            Some(_) => cx.ask_for_marks(),
+        }
         if cx.book.is_known() {
             reading.open_where_left(cx);
         }
@@ -116,17 +109,19 @@ impl Reading {
         first: Option<Response>,
         answer: Option<Response>,
     ) -> Self {
-        let mut reading = Self::closed(0, chapter);
-        reading.at = at;
-        reading.lay_out(None, answer.map(|answer| (answer, None)));
-        if let Some(open) = &mut reading.open
-            && let (Some(question), Some(first)) = (&mut open.question, first)
+        let tries = answer.map(|answer| (answer, None));
+        let page = chapter.pages.get(at).cloned();
+        let mut open = page.map(|page| OpenPage::new(page, None, tries));
+        if let (Some(open), Some(first)) = (&mut open, first)
+            && let Some(form) = open.form()
         {
-            let figure = open.figure.as_ref().map(LiveFigure::collision);
-            let form = question.form(figure);
-            question.ask_again(first, &form);
+            open.ask_again(first, &form);
         }
-        reading
+        Self {
+            at,
+            open,
+            ..Self::closed(0, chapter)
+        }
     }
 
     fn open_where_left(&mut self, cx: &mut Context) {
@@ -136,32 +131,26 @@ impl Reading {
 
     fn open(&mut self, at: usize, cx: &mut Context) {
         self.at = at.min(self.chapter.pages.len().saturating_sub(1));
-        let Some(page) = self.chapter.pages.get(self.at) else {
+        let Some(page) = self.chapter.pages.get(self.at).cloned() else {
             return;
         };
-        let here = Bookmark {
-            alpha_deg: self.alpha_deg.take(),
-            ..Bookmark::at(page)
-        };
-        self.mark(here, cx);
+        self.mark(Bookmark::at(&page), cx);
         let mark = cx.book.mark(&self.chapter.id);
-        let answer = mark.and_then(|mark| mark.given(page));
-        let answer = answer.map(|given| (given.answer, given.first));
-        self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
+        let given = mark.and_then(|mark| mark.given(&page));
+        let tries = given.map(|given| (given.answer, given.first));
+        let alpha_deg = mark.and_then(|mark| mark.alpha_deg);
+        self.open = Some(OpenPage::new(page, alpha_deg, tries));
+        self.notice = None;
     }
 
-    /// Saves the progress; looking something up does not move the bookmark.
-    fn mark(&self, mut later: Bookmark, cx: &mut Context) {
+    /// Saves the progress, and the impact angle that the student has set; looking something up does
+    /// not move the bookmark.
+    fn mark(&mut self, mut later: Bookmark, cx: &mut Context) {
+        later.alpha_deg = self.alpha_deg.take();
         if self.visited.is_some() {
             later.place = None;
         }
         cx.mark(&self.chapter.id, later);
-    }
-
-    fn lay_out(&mut self, alpha_deg: Option<f64>, tries: Option<(Response, Option<Response>)>) {
-        self.notice = None;
-        let page = self.chapter.pages.get(self.at);
-        self.open = page.map(|page| OpenPage::new(page, alpha_deg, tries));
     }
 
     fn is_asking(&self) -> bool {
@@ -178,42 +167,39 @@ impl Reading {
         let Some(open) = &mut self.open else {
             return;
         };
-        let figure = open.figure.as_ref().map(LiveFigure::collision);
-        let Some(question) = &mut open.question else {
+        let (Some(checkpoint), Some(form)) = (&open.page.checkpoint, open.form()) else {
             return;
         };
-        let form = question.form(figure);
-        let (player, first) = (&cx.settings.player, question.first);
-        let (asked, tried) = ((&form, figure), (&answer, first.is_some()));
+        let (player, first) = (&cx.settings.player, open.first);
+        let (asked, tried) = ((&form, open.collision()), (&answer, first.is_some()));
         let attempt = record::attempt(player, &self.chapter, self.at, asked, tried);
         cx.record(attempt);
-        if first.is_none() && question.checkpoint.offers_second_try(&form, &answer) {
-            return question.ask_again(answer, &form);
+        if first.is_none() && checkpoint.offers_second_try(&form, &answer) {
+            return open.ask_again(answer, &form);
         }
-        let right = form.is_right(&answer);
-        let mark = Bookmark::answering(&open.page, &question.checkpoint, (answer, first), right);
-        open.reveal(answer, cx.settings.pace());
-        self.mark(mark, cx);
+        self.reveal((answer, first), form.is_right(&answer), cx);
+    }
+
+    /// Saves the final answer and the first one, if there was one, and shows the right answer.
+    fn reveal(&mut self, tries: (Response, Option<Response>), right: bool, cx: &mut Context) {
+        if let Some(open) = &mut self.open {
+            open.reveal(tries.0, cx.settings.pace());
+            let mark = Bookmark::answering(&open.page, tries, right);
+            self.mark(mark, cx);
+        }
     }
 
     /// Shows the right answer after the first try.
     fn show_it(&mut self, cx: &mut Context) {
-        let Some(open) = &mut self.open else {
-            return;
-        };
-        if let Some(question) = &mut open.question
-            && let Some(answer) = question.first.take()
-        {
-            let checkpoint = &question.checkpoint;
-            let mark = Bookmark::answering(&open.page, checkpoint, (answer, None), false);
-            open.reveal(answer, cx.settings.pace());
-            self.mark(mark, cx);
+        let first = self.open.as_mut().and_then(|open| open.first.take());
+        if let Some(answer) = first {
+            self.reveal((answer, None), false, cx);
         }
     }
 
     /// Records the impact angle that the student has set.
     fn note_alpha(&mut self) {
-        if let Some(figure) = self.figure().filter(|figure| figure.is_own()) {
+        if let Some(figure) = self.figure().filter(|it| it.figure.own) {
             self.alpha_deg = Some(figure.alpha_deg());
         }
     }
@@ -221,12 +207,8 @@ impl Reading {
     /// Saves the impact angle that the student has set: not at each step, but when the page is
     /// left.
     fn keep_alpha(&mut self, cx: &mut Context) {
-        if let Some(alpha_deg) = self.alpha_deg.take() {
-            let later = Bookmark {
-                alpha_deg: Some(alpha_deg),
-                ..Bookmark::default()
-            };
-            cx.mark(&self.chapter.id, later);
+        if self.alpha_deg.is_some() {
+            self.mark(Bookmark::default(), cx);
         }
     }
 
@@ -238,7 +220,6 @@ impl Reading {
         }
         let first = Bookmark {
             place: self.chapter.pages.first().map(|page| page.title.clone()),
-            alpha_deg: self.alpha_deg.take(),
             ..Bookmark::default()
         };
         self.mark(first, cx);
@@ -273,7 +254,7 @@ impl Reading {
         };
         match figure.foil_page() {
             None => {
-                let setup = figure.setup();
+                let setup = CollisionSpec::from(&figure.collision);
                 // The lab must not show the answer either.
                 let hidden = self.is_asking();
                 Next::Open(Route::LabOf { setup, hidden })
@@ -397,7 +378,7 @@ impl Screen for Reading {
             .when(has_figure)
             .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")
             .on(Key::Char('r'), AskAgain, "")
-            .when(open.question.is_some())
+            .when(open.stage.is_some())
             .on(Key::Char('R'), Forget, "")
             .distinct()
     }
@@ -477,9 +458,11 @@ impl Screen for Reading {
             return View::alone(SplitLayout::text_alone, panel);
         };
         let rays = open.rays();
-        let view = if figure.is_text() {
+        let view = if let Some(worked) = figure.worked() {
             let mut shown = Panel::new(figure.title());
-            shown.part(ReadingAction::Figure, |shown| figure.write(shown));
+            shown.part(ReadingAction::Figure, |shown| {
+                worked.write(&figure.collision, shown)
+            });
             View::panels(shown, panel)
         } else {
             let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
@@ -503,7 +486,7 @@ impl Screen for Reading {
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
         let used = picture.contains(mouse.cell().into())
             && self.open.as_mut().is_some_and(|open| {
-                let rays = match open.question.as_mut().map(|question| &mut question.stage) {
+                let rays = match &mut open.stage {
                     Some(CheckpointStage::Asking(AnswerInput::Rays(rays))) => Some(rays),
                     _ => None,
                 };

@@ -1,6 +1,6 @@
 //! An open page: its figure, and the state of its question.
 
-use crate::lessons::{ChapterPage, Checkpoint};
+use crate::lessons::ChapterPage;
 use crate::physics::Collision;
 use crate::quiz::{Form, Response};
 use crate::screens::learn::figure::LiveFigure;
@@ -12,18 +12,12 @@ use crate::widgets::{AnswerInput, RayInput};
 pub(super) struct OpenPage {
     pub(super) page: ChapterPage,
     pub(super) figure: Option<LiveFigure>,
-    pub(super) question: Option<PageQuestion>,
-    /// Whether keys go to the figure first.
-    pub(super) on_figure: bool,
-}
-
-/// The question of a page, and its state.
-#[derive(Debug, Clone)]
-pub(super) struct PageQuestion {
-    pub(super) checkpoint: Checkpoint,
-    pub(super) stage: CheckpointStage,
+    /// The state of the page's question; `None` if the page has no question.
+    pub(super) stage: Option<CheckpointStage>,
     /// The first wrong answer, after which a hint was shown.
     pub(super) first: Option<Response>,
+    /// Whether keys go to the figure first.
+    pub(super) on_figure: bool,
 }
 
 /// The state of a question.
@@ -35,61 +29,47 @@ pub(super) enum CheckpointStage {
     Answered(Response),
 }
 
-/// A checkpoint as a question of the quiz.
-fn form_of(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Form {
-    checkpoint.form(figure, |text| Prose::default().plain(text))
-}
-
-impl PageQuestion {
-    fn new(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
-        let input = AnswerInput::new(&form_of(checkpoint, figure));
-        Self {
-            checkpoint: checkpoint.clone(),
-            stage: CheckpointStage::Asking(input),
-            first: None,
-        }
-    }
-
-    /// The question as the quiz asks it; `figure` is the collision of the page's figure.
-    pub(super) fn form(&self, figure: Option<&Collision>) -> Form {
-        form_of(&self.checkpoint, figure)
-    }
-
-    /// Begins the second try: the rays keep their positions and can be changed.
-    pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
-        self.first = Some(first);
-        let rays = first.rays().map(Response::Rays);
-        self.stage = CheckpointStage::Asking(AnswerInput::saying(form, rays));
-    }
-}
-
 impl OpenPage {
     /// A newly opened page. `tries` holds the final answer to its question and the wrong first
     /// answer, if there was one; `alpha_deg` is the impact angle that the student set last.
     pub(super) fn new(
-        page: &ChapterPage,
+        page: ChapterPage,
         alpha_deg: Option<f64>,
         tries: Option<(Response, Option<Response>)>,
     ) -> Self {
         let hidden = page.checkpoint.is_some();
         let figure = page.figure;
         let figure = figure.map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
-        let collision = figure.as_ref().map(LiveFigure::collision);
-        let checkpoint = page.checkpoint.as_ref();
-        let question = checkpoint.map(|checkpoint| PageQuestion::new(checkpoint, collision));
         let mut open = Self {
-            page: page.clone(),
+            page,
             figure,
-            question,
+            stage: None,
+            first: None,
             on_figure: false,
         };
+        let input = open.form().map(|form| AnswerInput::new(&form));
+        open.stage = input.map(CheckpointStage::Asking);
         open.on_figure = open.is_open_to_figure();
-        if let (Some((answer, first)), Some(question)) = (tries, &mut open.question) {
-            question.first = first;
+        if let (Some((answer, first)), true) = (tries, open.is_asking()) {
+            open.first = first;
             open.reveal(answer, HitPace::Still);
             open.figure.iter_mut().for_each(LiveFigure::explain);
         }
         open
+    }
+
+    /// The page's question as the quiz asks it, about the collision in the figure; `None` if the
+    /// page has no question.
+    pub(super) fn form(&self) -> Option<Form> {
+        let checkpoint = self.page.checkpoint.as_ref()?;
+        Some(checkpoint.form(self.collision(), |text| Prose::default().plain(text)))
+    }
+
+    /// Begins the second try: the rays keep their positions and can be changed.
+    pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
+        self.first = Some(first);
+        let rays = first.rays().map(Response::Rays);
+        self.stage = Some(CheckpointStage::Asking(AnswerInput::saying(form, rays)));
     }
 
     /// Whether keys go to the figure first on a newly opened page.
@@ -99,22 +79,22 @@ impl OpenPage {
 
     /// The collision of the figure.
     pub(super) fn collision(&self) -> Option<&Collision> {
-        self.figure.as_ref().map(LiveFigure::collision)
+        self.figure.as_ref().map(|figure| &figure.collision)
     }
 
     /// The answer being entered.
     pub(super) fn input(&self) -> Option<&AnswerInput> {
-        match &self.question.as_ref()?.stage {
-            CheckpointStage::Asking(input) => Some(input),
-            CheckpointStage::Answered(_) => None,
+        match &self.stage {
+            Some(CheckpointStage::Asking(input)) => Some(input),
+            _ => None,
         }
     }
 
     /// Mutable access to the answer being entered.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
-        match &mut self.question.as_mut()?.stage {
-            CheckpointStage::Asking(input) => Some(input),
-            CheckpointStage::Answered(_) => None,
+        match &mut self.stage {
+            Some(CheckpointStage::Asking(input)) => Some(input),
+            _ => None,
         }
     }
 
@@ -130,7 +110,7 @@ impl OpenPage {
 
     /// The first answer, while a second one is being entered.
     pub(super) fn hinted(&self) -> Option<Response> {
-        self.question.as_ref().filter(|_| self.is_asking())?.first
+        self.first.filter(|_| self.is_asking())
     }
 
     /// The collision that is being explained step by step.
@@ -141,9 +121,7 @@ impl OpenPage {
 
     /// Shows the result of an answer.
     pub(super) fn reveal(&mut self, answer: Response, pace: HitPace) {
-        if let Some(question) = &mut self.question {
-            question.stage = CheckpointStage::Answered(answer);
-        }
+        self.stage = Some(CheckpointStage::Answered(answer));
         if let Some(figure) = &mut self.figure {
             figure.reveal(answer.rays(), pace);
         }

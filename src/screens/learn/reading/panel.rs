@@ -1,8 +1,8 @@
 //! The panel of a page: its text and question, or the feedback on an answer.
 
 use super::ReadingAction;
-use super::page::{CheckpointStage, OpenPage, PageQuestion};
-use crate::lessons::CheckpointKind;
+use super::page::{CheckpointStage, OpenPage};
+use crate::lessons::{Checkpoint, CheckpointKind};
 use crate::quiz::{Form, Rays, Response, why_of_hit};
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose::Prose;
@@ -38,17 +38,17 @@ pub(super) fn panel(
         watch.write_explanation(&mut panel);
         return panel;
     }
-    let Some(question) = &open.question else {
+    let question = (&open.page.checkpoint, open.form(), &open.stage);
+    let (Some(checkpoint), Some(form), Some(stage)) = question else {
         prose.write(&open.page.text, &mut panel);
         return panel;
     };
-    let form = question.form(prose.figure);
-    match &question.stage {
+    match stage {
         CheckpointStage::Asking(input) => {
-            panel.subject += usize::from(question.first.is_some());
+            panel.subject += usize::from(open.first.is_some());
             // The page is shown from its beginning until the student begins to answer.
             panel.from_top = *input == AnswerInput::new(&form);
-            asking(open, question, (&form, input), prose, &mut panel);
+            asking(open, checkpoint, (&form, input), prose, &mut panel);
         }
         CheckpointStage::Answered(answer) => {
             panel.subject += 2;
@@ -57,11 +57,11 @@ pub(super) fn panel(
                 prose.write_dimmed(&open.page.text, panel);
                 if answer.rays().is_some() {
                     panel.gap();
-                    prose.write_dimmed(&question.checkpoint.question, panel);
+                    prose.write_dimmed(&checkpoint.question, panel);
                 }
                 panel.gap();
             });
-            revealed(open, question, (&form, answer), prose, &mut panel);
+            revealed(open, checkpoint, (&form, answer), prose, &mut panel);
         }
     }
     panel
@@ -70,13 +70,12 @@ pub(super) fn panel(
 /// The question, and the answer being entered.
 fn asking(
     open: &OpenPage,
-    question: &PageQuestion,
+    checkpoint: &Checkpoint,
     (form, input): (&Form, &AnswerInput),
     prose: Prose,
     panel: &mut Panel<ReadingAction>,
 ) {
-    let checkpoint = &question.checkpoint;
-    match &question.first {
+    match &open.first {
         None => {
             prose.write(&open.page.text, panel);
             panel.gap();
@@ -88,7 +87,7 @@ fn asking(
     }
     prose.write(&checkpoint.question, panel);
     panel.gap();
-    if let Some(first) = &question.first {
+    if let Some(first) = &open.first {
         let verdict = match form.rays_grade(first) {
             Some(grade) if grade.striker.is_right() => {
                 "The striker is right. The coin is not right yet."
@@ -103,16 +102,14 @@ fn asking(
         prose.write(&checkpoint.hint_to(first), panel);
         panel.gap();
     }
-    let chosen = match input.said() {
-        Some(Response::Choice(chosen)) => Some(chosen),
-        _ => None,
+    let said = input.said();
+    let answer = |action| match action {
+        // A click on the chosen option gives the answer.
+        AnswerAction::Choose(at) if said == Some(Response::Choice(at)) => {
+            ReadingAction::Answer(AnswerAction::Give(at))
+        }
+        action => ReadingAction::Answer(action),
     };
-    // A click on the chosen option gives the answer.
-    let given = |action| match action {
-        AnswerAction::Choose(at) if chosen == Some(at) => AnswerAction::Give(at),
-        action => action,
-    };
-    let answer = |action| ReadingAction::Answer(given(action));
     panel.part(answer, |panel| input.write(form, None, panel));
     panel.worth(NEXT, |panel| {
         panel.gap();
@@ -122,7 +119,7 @@ fn asking(
                     rays.write_prompt(panel, target, "watch");
                 });
             }
-            _ if input.said().is_some() => panel.prompts([input.next(form, "confirm")]),
+            _ if said.is_some() => panel.prompts([input.next(form, "confirm")]),
             _ => panel.paragraph(input.about(form), Role::Key),
         });
     });
@@ -131,12 +128,11 @@ fn asking(
 /// The feedback on an answer.
 fn revealed(
     open: &OpenPage,
-    question: &PageQuestion,
+    checkpoint: &Checkpoint,
     (form, answer): (&Form, &Response),
     prose: Prose,
     panel: &mut Panel<ReadingAction>,
 ) {
-    let checkpoint = &question.checkpoint;
     if answer.rays().is_none() {
         prose.write(&checkpoint.question, panel);
         panel.gap();
@@ -164,7 +160,7 @@ fn revealed(
         }
         _ => write_number((form, answer), right, panel),
     }
-    if question.first.is_some() && right {
+    if open.first.is_some() && right {
         panel.paragraph("On the second try: half the credit.", Role::Dim);
     }
     if !checkpoint.after.is_empty() {
