@@ -93,8 +93,8 @@ pub(crate) struct Quiz {
 enum QuizPhase {
     /// Answering, then choosing a confidence level.
     Asked(Box<OpenQuestion>),
-    /// Observing the collision of an answered question, without any explanation.
-    See(Box<SeenQuestion>),
+    /// Observing the collision of the question just answered, without any explanation.
+    See(Box<Sighting>),
     /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),
     /// The summary, with one question marked.
@@ -106,14 +106,6 @@ enum QuizPhase {
 struct OpenQuestion {
     question: Question,
     asking: Asking,
-}
-
-/// An answered question whose collision the player observes before it is explained.
-#[derive(Debug, Clone)]
-struct SeenQuestion {
-    question: Question,
-    answer: Answer,
-    sighting: Sighting,
 }
 
 /// A question and the answer to it.
@@ -171,11 +163,9 @@ impl Quiz {
         if let Some(last) = quiz.answers.len().checked_sub(1)
             && is_explained
             && !quiz.feedback_at_end()
+            && let Some(watched) = quiz.show(last, cx)
         {
-            quiz.open(last, cx);
-            if let QuizPhase::Watch(watched) = &mut quiz.phase {
-                watched.opened = None;
-            }
+            watched.reveal.at_once();
         }
         quiz
     }
@@ -221,50 +211,53 @@ impl Quiz {
     }
 
     /// Records an answer, then shows the collision or asks the next question.
-    fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
-        let attempt = self.note(&question, answer, cx);
+    fn answer(&mut self, question: &Question, answer: Answer, cx: &mut Context) {
+        let attempt = self.note(question, answer, cx);
         // The answer is saved before the explanation is shown.
         cx.record(attempt);
         if self.feedback_at_end() {
-            return self.ask();
+            self.ask();
+        } else if let Some(sighting) = sighting(question, &answer, cx) {
+            self.phase = QuizPhase::See(Box::new(sighting));
+        } else {
+            self.explain(None, cx);
         }
-        if let Some(sighting) = sighting(&question, &answer, cx) {
-            self.phase = QuizPhase::See(Box::new(SeenQuestion {
-                question,
-                answer,
-                sighting,
-            }));
-            return;
-        }
-        let watched = AnsweredQuestion::new(question, answer, self.layers, cx);
-        self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Records what the player saw, if they answered, and explains the collision.
+    /// Explains the question just answered, and records what the player saw, if they were asked and
+    /// answered.
     fn explain(&mut self, seen: Option<Rays>, cx: &mut Context) {
-        let QuizPhase::See(open) = &self.phase else {
-            return;
-        };
-        let (question, answer) = (&open.question, &open.answer);
-        let known = answer.said.rays().zip(question.form.truth().rays());
-        let all = seen.zip(known);
-        let rays = all.map(|(seen, (said, truth))| [said, truth, seen]);
-        let observed = rays.map(|rays| cx.observe(ObservationPlace::Quiz, rays));
-        let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
-        watched.observed = observed;
-        self.phase = QuizPhase::Watch(Box::new(watched));
+        let last = self.answers.len().saturating_sub(1);
+        if let Some(watched) = self.show(last, cx)
+            && let Some(seen) = seen
+            && let Some(said) = watched.answer.said.rays()
+            && let Some(truth) = watched.question.form.truth().rays()
+        {
+            watched.observed = Some(cx.observe(ObservationPlace::Quiz, [said, truth, seen]));
+        }
     }
 
     /// Opens an answered question from the summary, with its full explanation.
     fn open(&mut self, at: usize, cx: &Context) {
-        let (Some(question), Some(answer)) = (self.round.questions().get(at), self.answers.get(at))
-        else {
-            return;
-        };
-        let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
-        watched.opened = Some(at);
-        watched.reveal.at_once();
+        if let Some(watched) = self.show(at, cx) {
+            watched.opened = Some(at);
+            watched.reveal.at_once();
+        }
+    }
+
+    /// Shows what happens in an answered question, if it exists.
+    fn show(&mut self, at: usize, cx: &Context) -> Option<&mut AnsweredQuestion> {
+        let (question, answer) = self.round.questions().get(at).zip(self.answers.get(at))?;
+        let watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
         self.phase = QuizPhase::Watch(Box::new(watched));
+        self.watched()
+    }
+
+    fn watched(&mut self) -> Option<&mut AnsweredQuestion> {
+        match &mut self.phase {
+            QuizPhase::Watch(watched) => Some(watched),
+            _ => None,
+        }
     }
 
     /// Plays another round of the same kind. After a review, other topics are due, so the player
@@ -495,8 +488,8 @@ impl Screen for Quiz {
                     .on(Key::Escape, Leave, leave)
                     .when(asked.asking.leaves_escape())
             }
-            QuizPhase::See(open) => {
-                keys.with(open.sighting.keys(), QuizAction::See)
+            QuizPhase::See(sighting) => {
+                keys.with(sighting.keys(), QuizAction::See)
                     .on(Key::Escape, Leave, "leave")
             }
             QuizPhase::Watch(watched) => {
@@ -541,17 +534,16 @@ impl Screen for Quiz {
             (QuizAction::Ask(action), QuizPhase::Asked(asked)) => {
                 if let Outcome::Done((said, sure)) = asked.asking.act(action) {
                     let question = asked.question.clone();
-                    self.answer(question, Answer::new(said, sure), cx);
-                    if let (AskingAction::Sure(_), QuizPhase::Watch(watched)) =
-                        (action, &mut self.phase)
+                    self.answer(&question, Answer::new(said, sure), cx);
+                    if let (AskingAction::Sure(_), Some(watched)) = (action, self.watched())
                         && watched.reveal.watch().is_none()
                     {
                         watched.settling = SETTLING;
                     }
                 }
             }
-            (QuizAction::See(action), QuizPhase::See(open)) => {
-                if let Outcome::Done(seen) = open.sighting.act(action) {
+            (QuizAction::See(action), QuizPhase::See(sighting)) => {
+                if let Outcome::Done(seen) = sighting.act(action) {
                     self.explain(seen, cx);
                 }
             }
@@ -631,8 +623,8 @@ impl Screen for Quiz {
                     }),
                 )
             }
-            QuizPhase::See(open) if on_picture && mouse.is_held() => {
-                open.sighting.point(picture, mouse.place(), pressed);
+            QuizPhase::See(sighting) if on_picture && mouse.is_held() => {
+                sighting.point(picture, mouse.place(), pressed);
                 Next::Stay
             }
             QuizPhase::Watch(watched) if pressed && on_picture => {
@@ -657,8 +649,8 @@ impl Screen for Quiz {
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
-        if let QuizPhase::See(open) = &mut self.phase {
-            open.sighting.advance(passed, cx.settings.pace());
+        if let QuizPhase::See(sighting) = &mut self.phase {
+            sighting.advance(passed, cx.settings.pace());
         }
         if let QuizPhase::Watch(watched) = &mut self.phase {
             watched.settling = watched.settling.saturating_sub(passed);
@@ -670,7 +662,7 @@ impl Screen for Quiz {
         match &self.phase {
             QuizPhase::Watch(watched) if !watched.settling.is_zero() => Some(watched.settling),
             QuizPhase::Watch(watched) => watched.reveal.wake(cx.settings.pace()),
-            QuizPhase::See(open) => open.sighting.wake(cx.settings.pace()),
+            QuizPhase::See(sighting) => sighting.wake(cx.settings.pace()),
             _ => None,
         }
     }

@@ -3,18 +3,17 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{
-    AnsweredQuestion, OpenQuestion, Quiz, QuizAction, QuizPhase, SeenQuestion, panel, summary,
-};
+use super::{AnsweredQuestion, OpenQuestion, Quiz, QuizAction, QuizPhase, panel, summary};
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::{Context, View};
+use crate::widgets::hit::Sighting;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Look, SplitLayout, draw_question};
 
 pub(super) fn view<'s>(quiz: &'s Quiz, cx: &Context) -> View<'s, QuizAction> {
     match &quiz.phase {
         QuizPhase::Asked(asked) => of_asked(quiz, asked),
-        QuizPhase::See(open) => of_seen(quiz, open),
+        QuizPhase::See(sighting) => of_seen(quiz, sighting),
         QuizPhase::Watch(watched) => of_watched(quiz, watched, cx),
         QuizPhase::Summary(list) => {
             let at = list.chosen(quiz.answers.len());
@@ -40,15 +39,15 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
     view.dragging(input.drag(question).filter(|_| !sure))
 }
 
-fn of_seen<'s>(quiz: &Quiz, open: &'s SeenQuestion) -> View<'s, QuizAction> {
+fn of_seen<'s>(quiz: &Quiz, sighting: &'s Sighting) -> View<'s, QuizAction> {
     let mut text = Panel::new("watch");
     text.subject = 2 * quiz.number();
-    let target = match &open.question.form {
-        Form::Rays { target, .. } => target,
+    let answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let target = match answered.last().map(|(question, _)| &question.form) {
+        Some(Form::Rays { target, .. }) => target,
         _ => "coin",
     };
-    text.part(QuizAction::See, |panel| open.sighting.write(target, panel));
-    let sighting = &open.sighting;
+    text.part(QuizAction::See, |panel| sighting.write(target, panel));
     View::drawn(sighting.title(), |area| sighting.picture(area), text).dragging(sighting.drag())
 }
 

@@ -31,72 +31,67 @@ pub(super) fn view<'s>(choosing: &Choosing, cx: &Context) -> View<'s, ChoosingAc
     View::panels(list, about)
 }
 
-/// The name of a choice, a short text beside it, and its description, which may be empty.
-fn words(
-    choosing: &Choosing,
-    choice: &RoundChoice,
-    cx: &Context,
-) -> (&'static str, String, &'static str) {
+/// The name of a choice, and its description, which may be empty.
+fn words(choice: &RoundChoice) -> (&'static str, &'static str) {
     match choice {
         RoundChoice::Always(kind) => {
-            let questions = format!("{} questions", kind.length());
-            let (beside, about) = match kind {
-                CourseKind::Hits => (
-                    "where will they go?".into(),
-                    "Ten collisions on the board: predict where the striker and the coin will go. Masses and energy losses change from one to the next.",
-                ),
-                CourseKind::FindOut => (
-                    format!("up to {questions}"),
-                    "Up to twelve questions, each based on your earlier answers. There is no feedback until the end; then you see what you seem to believe about collisions, which answers show it, and where to read more.",
-                ),
-                CourseKind::Quick => (
-                    questions,
-                    "Five questions about what you have read or answered before, the first ones in their simplest form: just right for a short break. If you are new, they are about equal masses.",
-                ),
-                CourseKind::Even => (
-                    questions,
-                    "Ten questions about what you have read or answered before, in any order. You do not know which kind comes next. If you are new, they are about equal masses.",
-                ),
-                _ => (
-                    questions,
-                    "Fifteen questions of all kinds. There is no feedback until the end; then you can open each one with its picture and its explanation.",
-                ),
+            let about = match kind {
+                CourseKind::Hits => {
+                    "Ten collisions on the board: predict where the striker and the coin will go. Masses and energy losses change from one to the next."
+                }
+                CourseKind::FindOut => {
+                    "Up to twelve questions, each based on your earlier answers. There is no feedback until the end; then you see what you seem to believe about collisions, which answers show it, and where to read more."
+                }
+                CourseKind::Quick => {
+                    "Five questions about what you have read or answered before, the first ones in their simplest form: just right for a short break. If you are new, they are about equal masses."
+                }
+                CourseKind::Even => {
+                    "Ten questions about what you have read or answered before, in any order. You do not know which kind comes next. If you are new, they are about equal masses."
+                }
+                _ => {
+                    "Fifteen questions of all kinds. There is no feedback until the end; then you can open each one with its picture and its explanation."
+                }
             };
-            (kind.name(), beside, about)
+            (kind.name(), about)
         }
         RoundChoice::Topic => (
             "one topic",
-            format!("{} to choose from", CourseKind::topics().count()),
             "Six questions on one topic, getting harder: good when you have just read about that topic. Then return to mixed rounds.",
         ),
         RoundChoice::Read => (
             "what you have read",
-            match chapters_read(&cx.book) {
-                None => "nothing read yet".into(),
-                Some(_) => counted(cx.book.read_through().count(), "chapter"),
-            },
             "Ten questions about the chapters that you have finished, in any order.",
         ),
         RoundChoice::Code => (
             "a round by its code",
-            String::new(),
             "With a code from a friend or a teacher, you get exactly the same questions.",
         ),
-        RoundChoice::Own => {
-            let own = &cx.own;
-            let beside = match own.problems.len() {
-                0 => format!("of {}", own.concepts.len()),
-                left => format!("of {}, {left} left out", own.concepts.len()),
-            };
-            ("your own questions", beside, "")
+        RoundChoice::Own => ("your own questions", ""),
+        RoundChoice::Review => ("review what is due", ""),
+    }
+}
+
+/// The short text beside the name of a choice.
+fn beside(choosing: &Choosing, choice: &RoundChoice, cx: &Context) -> String {
+    let own = &cx.own;
+    match choice {
+        RoundChoice::Always(CourseKind::Hits) => "where will they go?".into(),
+        RoundChoice::Always(kind @ CourseKind::FindOut) => {
+            format!("up to {} questions", kind.length())
         }
-        RoundChoice::Review => {
-            let beside = match choosing.due().now.len() {
-                0 => "nothing due".into(),
-                due => format!("{due} due"),
-            };
-            ("review what is due", beside, "")
-        }
+        RoundChoice::Always(kind) => format!("{} questions", kind.length()),
+        RoundChoice::Topic => format!("{} to choose from", CourseKind::topics().count()),
+        RoundChoice::Read if chapters_read(&cx.book).is_none() => "nothing read yet".into(),
+        RoundChoice::Read => counted(cx.book.read_through().count(), "chapter"),
+        RoundChoice::Code => String::new(),
+        RoundChoice::Own => match own.problems.len() {
+            0 => format!("of {}", own.concepts.len()),
+            left => format!("of {}, {left} left out", own.concepts.len()),
+        },
+        RoundChoice::Review => match choosing.due().now.len() {
+            0 => "nothing due".into(),
+            due => format!("{due} due"),
+        },
     }
 }
 
@@ -111,7 +106,7 @@ fn rounds(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     let choices = choices(cx);
     let chosen = choosing.rounds.chosen(choices.len());
     for (i, (_, choice)) in choices.iter().enumerate() {
-        let (name, beside, _) = words(choosing, choice, cx);
+        let (name, beside) = (words(choice).0, beside(choosing, choice, cx));
         let role = match is_open(choosing, choice, cx) {
             true => Role::Text,
             false => Role::Dim,
@@ -132,7 +127,7 @@ fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     let book = &cx.book;
     let mut panel = Panel::new("this round");
     let choice = choosing.choice(cx);
-    let (_, _, about) = words(choosing, choice, cx);
+    let (_, about) = words(choice);
     if !about.is_empty() {
         panel.paragraph(about, Role::Text);
     }
