@@ -463,7 +463,7 @@ fn a_forbidden_use_is_found_in_every_notation() {
             "widgets uses screens",
         ),
         (
-            "screens/home/view.rs",
+            "screens/lab/view.rs",
             "use super::super::super::app::App;",
             "screens uses app",
         ),
@@ -513,7 +513,7 @@ fn allowed_uses_are_accepted() {
             "/// See [`crate::widgets`].\n// crate::app\nuse crate::physics::x;",
         ),
         (
-            "screens/home/view.rs",
+            "screens/lab/view.rs",
             "use super::super::Route; use crate::screens::Context;",
         ),
         (

@@ -1,13 +1,13 @@
 //! The glossary: each term with its meaning, and the page that introduces it.
 
-mod view;
-
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, View, leads};
 use crate::lessons::GlossaryEntry;
 use crate::messages::Key;
+use crate::widgets::Role;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
+use crate::widgets::panel::Panel;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
@@ -72,7 +72,39 @@ impl Screen for GlossaryScreen {
         self.act(GlossaryAction::List(ListAction::Choose(by.into())), cx)
     }
 
+    /// All terms by topic, and an explanation of the chosen one.
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, GlossaryAction> {
-        view::view(self, cx)
+        let (chosen, entry) = self.chosen();
+        let mut list = Panel::new("glossary");
+        let mut topic = "";
+        for (i, entry) in GlossaryEntry::all().iter().enumerate() {
+            if entry.topic != topic {
+                topic = &entry.topic;
+                list.gap();
+                list.heading(topic);
+            }
+            let action = GlossaryAction::List(ListAction::Point(i));
+            let symbol = entry.symbol.clone().unwrap_or_default();
+            let name = (entry.term.clone(), Role::Text);
+            list.row(name, (symbol, Role::Dim), i == chosen, action);
+        }
+        let mut about = Panel::new("the term");
+        about.subject = chosen;
+        if let Some(entry) = entry {
+            about.paragraph(&entry.term, Role::Title);
+            about.gap();
+            about.paragraph(&entry.meaning, Role::Text);
+            about.gap();
+            if let Some(symbol) = &entry.symbol {
+                about.fact("symbol", symbol);
+            }
+            if let Some(unit) = &entry.unit {
+                about.fact("unit", unit);
+            }
+            about.gap();
+            let page = Some(entry.introduced_by());
+            leads::write(page, &cx.book, GlossaryAction::Read, &mut about);
+        }
+        View::panels(list, about)
     }
 }

@@ -1,7 +1,5 @@
 //! The home screen: what to do next, and the menu.
 
-mod view;
-
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::ahead::Ahead;
@@ -11,7 +9,14 @@ use crate::messages::{Input, Key};
 use crate::physics::{CollisionSpec, ImpactPoint};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::text;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Role, Room, SplitLayout, text};
+
+/// The width of the menu.
+const MENU: u16 = 42;
+/// The width of the menu without the descriptions.
+const NARROW: u16 = 31;
+const WIDE: u16 = 78;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Home {
@@ -179,6 +184,49 @@ impl Screen for Home {
     }
 
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, HomeAction> {
-        view::view(self, cx)
+        let hit = |area| self.picture.picture(area);
+        View::drawn("a glancing hit", hit, menu(self, cx)).laid_out(layout)
     }
+}
+
+fn layout(room: Room) -> SplitLayout {
+    let menu = if room.area.width < WIDE { NARROW } else { MENU };
+    SplitLayout::with_open_panel(room, menu)
+}
+
+fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
+    let lines = home.lines(cx);
+    let chosen = home.list.chosen(lines.len());
+    let mut panel = Panel::new("");
+    panel.worth(2, |panel| {
+        panel.line("Aim. Predict where both go.", Role::Text);
+        panel.line("Then watch, and read why.", Role::Text);
+        panel.gap();
+    });
+    for (at, line) in lines.into_iter().enumerate() {
+        let point = HomeAction::List(ListAction::Point(at));
+        let style = |role| (role, at == chosen);
+        match line {
+            HomeLine::Class => {
+                panel.entry('j', ("Back to your class", ""), style(Role::Key), point);
+                panel.gap();
+            }
+            HomeLine::Next => {
+                if let Some(next) = home.ahead.step() {
+                    panel.entry('n', (&*next.words, ""), style(Role::Key), point);
+                    panel.paragraph(&next.why, Role::Dim);
+                    panel.gap();
+                }
+            }
+            HomeLine::Entry(entry) => {
+                let (letter, name, about, _) = &ENTRIES[entry];
+                panel.entry(*letter, (*name, *about), style(Role::Text), point);
+            }
+        }
+    }
+    panel.worth(1, |panel| {
+        panel.gap();
+        home.ahead.write_done(panel);
+    });
+    panel
 }
