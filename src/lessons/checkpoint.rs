@@ -67,20 +67,18 @@ impl Expected {
         }
     }
 
-    /// The smallest and the largest permitted number.
-    fn range(&self) -> (f64, f64) {
-        const ANY: (f64, f64) = (-1e9, 1e9);
-        match self {
-            Self::Of(it, _) | Self::Figure(it) if it.is_part_of_whole() => (0.0, 1.0),
-            _ => ANY,
-        }
-    }
-
-    /// The symbol of the quantity, or "your answer" if the number is fixed, and the unit.
-    pub(crate) fn sign_and_unit(&self) -> (&str, &str) {
-        match self {
-            Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
-            Self::Fixed(_, unit) => ("your answer", unit),
+    /// The kind of number that the student enters: its symbol, or "your answer" if the number is
+    /// fixed, its unit and the permitted range.
+    fn measure(&self, tolerance: f64) -> Measure {
+        let (sign, unit, is_share) = match self {
+            Self::Of(it, _) | Self::Figure(it) => (it.symbol, it.unit, it.is_part_of_whole()),
+            Self::Fixed(_, unit) => ("your answer", unit.as_str(), false),
+        };
+        Measure::Own {
+            sign: sign.into(),
+            unit: unit.into(),
+            tolerance,
+            range: if is_share { (0.0, 1.0) } else { (-1e9, 1e9) },
         }
     }
 }
@@ -109,18 +107,10 @@ impl Checkpoint {
             CheckpointKind::Number {
                 expected,
                 tolerance,
-            } => {
-                let (sign, unit) = expected.sign_and_unit();
-                Form::Number {
-                    quantity: Measure::Own {
-                        sign: sign.into(),
-                        unit: unit.into(),
-                        tolerance: *tolerance,
-                        range: expected.range(),
-                    },
-                    truth: expected.value(figure).unwrap_or(f64::INFINITY),
-                }
-            }
+            } => Form::Number {
+                quantity: expected.measure(*tolerance),
+                truth: expected.value(figure).unwrap_or(f64::INFINITY),
+            },
             CheckpointKind::Choice(choices) => Form::Choice {
                 options: choices.iter().map(|choice| spell(&choice.text)).collect(),
                 right: choices.iter().position(|it| it.right).unwrap_or(0),
