@@ -104,14 +104,10 @@ impl MadeShot {
         }
     }
 
-    /// Records the player's prediction as an answer, in the level with this number.
-    pub(super) fn record_said(&self, level: usize, cx: &mut Context) {
-        let (Some(said), Some(impact)) = (&self.said, self.player.impacts().first()) else {
-            return;
-        };
-        let Some((pack, named)) = cx.shelf.get(level) else {
-            return;
-        };
+    /// The player's prediction as an answer, in the level with this number.
+    pub(super) fn attempt(&self, level: usize, cx: &Context) -> Option<Attempt> {
+        let (said, impact) = (self.said.as_ref()?, self.player.impacts().first()?);
+        let (pack, named) = cx.shelf.get(level)?;
         let mut asked = asked(said);
         let predicted = Predicted {
             player: &cx.settings.player,
@@ -121,16 +117,14 @@ impl MadeShot {
             only: asked.next().filter(|_| asked.next().is_none()),
         };
         let attempt = Attempt::of_prediction(&predicted, &impact.collision, &said.so_far());
-        let Some(mut attempt) = attempt else {
-            return;
-        };
+        let mut attempt = attempt?;
         if !attempt.right && is_right(said, &impact.collision) {
             (attempt.right, attempt.credit, attempt.misconception) = (true, 1.0, None);
         }
         let names = [("pack", pack.name.as_str()), ("level", named.id.as_str())];
         let names = names.map(|(name, id)| (name.to_owned(), id.into()));
         attempt.question.extend(names);
-        cx.record(attempt);
+        Some(attempt)
     }
 
     /// Controls the clock, or the replay of an impact.

@@ -144,7 +144,9 @@ impl LevelPlay {
     fn shoot(&mut self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &mut Context) {
         self.shots += 1;
         let mut made = MadeShot::new(self, shot, to_say, said, cx);
-        made.record_said(self.number, cx);
+        if let Some(attempt) = made.attempt(self.number, cx) {
+            cx.record(attempt);
+        }
         made.keep_if_watched(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
     }
