@@ -182,6 +182,19 @@ fn the_last_shots_are_listed_beside_the_dials() {
 }
 
 #[test]
+fn a_shot_is_listed_even_if_the_solution_is_shown_after_it() {
+    let mut game = level(number("dead-stop"));
+    game.press("45<Enter>");
+    shoot(&mut game);
+    game.press("hhh");
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("a shot that wins"));
+    game.key(Key::Enter);
+    let shown = all_pages(&mut game);
+    assert!(shown.contains("shot 1: 45.0 deg"), "{shown}");
+}
+
+#[test]
 fn a_level_is_won_by_arrow_keys_alone() {
     let mut game = level(number("dead-stop"));
     game.press(&"<Left>".repeat(16));

@@ -151,8 +151,22 @@ impl LevelPlay {
         self.phase = LevelPhase::Watch(Box::new(made));
     }
 
+    /// Goes back to aiming; lists a shot that the player has made, and saves a win.
+    fn aim_again(&mut self, cx: &mut Context) {
+        self.guard = StrikeGuard::default();
+        if let LevelPhase::Watch(made) = std::mem::replace(&mut self.phase, LevelPhase::Aim)
+            && !made.is_shown
+        {
+            made.keep(self.number, cx);
+            let set = format!("shot {}: {}", self.shots, self.dials.setting());
+            self.earlier
+                .extend(made.in_short().map(|result| [set, result]));
+        }
+    }
+
     /// Plays the stored solution, without changing the player's own aim.
-    fn show(&mut self, cx: &Context) {
+    fn show(&mut self, cx: &mut Context) {
+        self.aim_again(cx);
         let solution = self.level().aimed(&self.level().solution);
         if let Ok(shot) = solution.play(Patience::AKey) {
             self.form.give_up();
@@ -287,17 +301,7 @@ impl Screen for LevelPlay {
                 made.watch(action, self.number, cx);
             }
             (_, LevelAction::NextLevel) => return self.next_level(cx),
-            (phase, LevelAction::AimAgain) => {
-                self.guard = StrikeGuard::default();
-                if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim)
-                    && !made.is_shown
-                {
-                    made.keep(self.number, cx);
-                    let set = format!("shot {}: {}", self.shots, self.dials.setting());
-                    self.earlier
-                        .extend(made.in_short().map(|result| [set, result]));
-                }
-            }
+            (_, LevelAction::AimAgain) => self.aim_again(cx),
             (_, LevelAction::Back) => return Next::Back,
             _ => return Next::Ignored,
         }
