@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use super::contact::ContactForce;
 use super::parts::EnergyParts;
-use super::{film, momenta};
-use crate::lessons::{ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
+use super::{LiveFigure, film, momenta};
+use crate::lessons::{ChapterPage, CheckpointKind, Expected, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
 use crate::physics::impact::kinetic_energy;
@@ -14,40 +14,33 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, worked,
 };
 
-/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`;
-/// most figures of a collision also leave it out if one of the `later` pages asks for it.
-pub(in crate::screens::learn) fn describe(
-    figure: &Figure,
-    later: &[ChapterPage],
-    revealed: bool,
-) -> Vec<String> {
-    let shot = match revealed {
-        true => &figure.after,
-        false => &figure.shot,
-    };
-    let collision = shot.collision();
-    let (given, outcome) = match figure.kind {
+/// Describes a figure, as the student has set it, in sentences. The outcome is left out while it is
+/// hidden; most figures of a collision also leave it out if one of the `later` pages asks for it.
+pub(in crate::screens::learn) fn describe(live: &LiveFigure, later: &[ChapterPage]) -> Vec<String> {
+    let (shot, collision) = (&live.figure.shot, &live.collision);
+    let revealed = !live.hidden;
+    let (given, outcome) = match live.figure.kind {
         FigureKind::Foil { .. } => {
             let text = "The figure sends many particles towards a repulsive centre and counts how \
                         many leave in each direction. carrom foil shows this on a screen.";
             return vec![text.into()];
         }
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg),
-        FigureKind::Force { time_ms } => force(&collision, time_ms),
+        FigureKind::Force { time_ms } => force(collision, time_ms),
         kind @ (FigureKind::Coalesce | FigureKind::Explosion { .. }) => {
-            momenta_in_words(kind, &collision)
+            momenta_in_words(kind, collision)
         }
-        FigureKind::Film { filming } => return film::in_words(&collision, filming, revealed),
-        FigureKind::Parts => parts_in_words(&collision),
+        FigureKind::Film { filming } => return film::in_words(collision, filming, revealed),
+        FigureKind::Parts => parts_in_words(collision),
         // These figures are text already.
         FigureKind::Worked { .. } | FigureKind::Solve => return Vec::new(),
         kind => {
-            let mut lines = vec![format!("Figure: {}", set_up(shot, &collision))];
+            let mut lines = vec![format!("Figure: {}", set_up(shot, collision))];
             if revealed {
-                lines.push(weighed(&collision));
-                lines.extend(outcome(kind, &collision, is_asked(later, shot)));
+                lines.push(weighed(collision));
+                lines.extend(outcome(kind, collision, is_asked(later, shot)));
             } else {
-                lines.extend(plotted(kind, &collision));
+                lines.extend(plotted(kind, collision));
             }
             return lines;
         }
@@ -335,4 +328,35 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
         lines.push(format!("Both are deflected by Θ = {turn}."));
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lessons::Figure;
+    use crate::screens::learn::figure::FigureAction;
+
+    #[test]
+    fn the_description_follows_what_the_student_sets() {
+        for (words, action, before, after) in [
+            (
+                "curves alpha_deg=30",
+                FigureAction::Alpha(20),
+                "30.0°",
+                "50.0°",
+            ),
+            (
+                "force time_ms=0.6",
+                FigureAction::Dial(3),
+                "0.600 ms",
+                "0.900 ms",
+            ),
+        ] {
+            let mut live = LiveFigure::new(Figure::from_words(words).unwrap(), None, false);
+            let first = |live: &LiveFigure| describe(live, &[]).swap_remove(0);
+            assert!(first(&live).contains(before), "{}", first(&live));
+            live.act(action);
+            assert!(first(&live).contains(after), "{}", first(&live));
+        }
+    }
 }

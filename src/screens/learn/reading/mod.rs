@@ -468,9 +468,7 @@ impl Screen for Reading {
             let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
             let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
                 let later = self.chapter.pages.get(self.at + 1..).unwrap_or_default();
-                let describe = |it| words::describe(it, later, !open.is_asking());
-                let described = open.page.figure.as_ref();
-                sheet::next_picture_shows(|| described.map_or(vec![], describe));
+                sheet::next_picture_shows(|| words::describe(figure, later));
                 figure.draw(area, buf, look, rays);
             };
             View::picture(title, draw, panel)
