@@ -1,5 +1,7 @@
 //! Tests of every form of answer with every picture, independent of the families of questions.
 
+use std::sync::Arc;
+
 use glam::DVec2;
 use ratatui::buffer::Buffer;
 
@@ -7,6 +9,7 @@ use super::*;
 use crate::messages::Input;
 use crate::physics::rutherford::Rutherford;
 use crate::physics::{Collision, Disc};
+use crate::quiz::concepts::{Library, QuestionSet};
 use crate::quiz::{AimTask, Illustration, Markings, Measure, Ray};
 use crate::screens::{AnyScreen, Hosted, Settings};
 use crate::widgets::cells::text;
@@ -21,6 +24,21 @@ const SIZES: [(u16, u16); 7] = [
     (300, 98),
 ];
 
+const SET: &str = "format = 1\ntitle = \"A set\"\n\
+    [[question]]\ncode = \"7\"\nnumber = 1\n\
+    [[question]]\ncode = \"7\"\nnumber = 2\n";
+
+/// A set of two questions, the first of which has this picture and this form of answer.
+fn set_with(picture: Illustration, form: Form) -> Code {
+    let mut set = QuestionSet::read("set.toml", SET.as_bytes(), &Library::default()).unwrap();
+    let first = &mut set.questions[0].question;
+    first.text = "What happens? Assume smooth discs.".into();
+    first.why = "This is the explanation.".into();
+    first.beliefs = vec![];
+    (first.picture, first.form) = (picture, form);
+    Code::of_set(&Arc::new(set))
+}
+
 /// A round whose current question is set by the test.
 struct TestRound {
     quiz: Hosted<Quiz>,
@@ -29,19 +47,7 @@ struct TestRound {
 
 impl TestRound {
     fn of(picture: Illustration, form: Form) -> Self {
-        let mut quiz = Quiz::new(Code::hits(7));
-        let question = Question {
-            text: "What happens? Assume smooth discs.".into(),
-            why: "This is the explanation.".into(),
-            beliefs: vec![],
-            picture,
-            form,
-            ..quiz.round.questions()[0].clone()
-        };
-        quiz.phase = QuizPhase::Asked(Box::new(OpenQuestion {
-            asking: Asking::new(AnswerInput::new(&question.form)),
-            question,
-        }));
+        let quiz = Quiz::new(set_with(picture, form));
         let settings = Settings {
             reduced_motion: true,
             ..Settings::default()
