@@ -260,19 +260,20 @@ impl Quiz {
         }
     }
 
-    /// Plays another round of the same kind. After a review, other topics are due, so the player
-    /// chooses a round.
+    /// Plays another round of the same kind; a set has only one round, which is played again. After
+    /// a review, other topics are due, so the player chooses a round.
     fn again(&mut self, cx: &mut Context) -> Next {
-        let code = self.round.code();
-        if let CourseKind::Review(_) = code.course.kind {
-            return CHOOSE;
+        let mut code = self.round.code().clone();
+        match code.course.kind {
+            CourseKind::Review(_) => return CHOOSE,
+            CourseKind::Set(_) => {}
+            _ => {
+                while code.seed == self.round.code().seed {
+                    code.seed = cx.next_seed();
+                }
+            }
         }
-        let mut seed = cx.next_seed();
-        if seed == code.seed {
-            seed = cx.next_seed();
-        }
-        let course = code.course.clone();
-        *self = Self::new(Code { course, seed });
+        *self = Self::new(code);
         Next::Stay
     }
 

@@ -262,6 +262,15 @@ fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
     assert!(matches!(sitting.quiz.screen.phase, QuizPhase::Asked(_)));
 }
 
+/// A set has only one round, whose code contains a hash of its questions.
+#[test]
+fn another_round_of_a_set_has_the_same_code() {
+    let code = set_with(Illustration::Nothing, number());
+    let mut quiz = Quiz::new(code.clone());
+    quiz.again(&mut Context::new(Settings::default(), 7));
+    assert_eq!(quiz.round.code(), &code);
+}
+
 /// Rays that are 4.2° off are not right, but earn nearly all the points.
 #[test]
 fn a_sure_answer_that_is_nearly_right_is_not_marked_as_wrong() {
