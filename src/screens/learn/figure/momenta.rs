@@ -8,6 +8,7 @@ use super::FigureArea;
 use crate::lessons::FigureKind;
 use crate::numbers::{degrees, significant, with_unit};
 use crate::physics::Collision;
+use crate::physics::angle::angle_between;
 use crate::physics::impact::{kinetic_energy, reduced_mass};
 use crate::physics::units::{deg_from_rad, g_from_kg, kg_from_g, rad_from_deg};
 use crate::widgets::Role;
@@ -30,12 +31,12 @@ pub(super) fn moving_to_the_right(mut collision: Collision) -> Collision {
 
 /// The angle that the student sets: the angle between the velocities of the two discs or, in an
 /// explosion into two pieces, the angle in the centre-of-mass frame between the velocity of the
-/// first piece and the original direction.
+/// first piece and the original direction; 0 if a disc at rest has no direction.
 pub(super) fn angle_deg(kind: FigureKind, collision: &Collision) -> f64 {
     let Collision { u1, u2, .. } = collision;
     let angle = match kind {
         FigureKind::Explosion { third_g: None } => (*u1 - *u2).to_angle(),
-        _ => u1.angle_to(*u2),
+        _ => angle_between(*u1, *u2).unwrap_or(0.0),
     };
     deg_from_rad(angle.abs())
 }
@@ -199,7 +200,9 @@ pub(super) fn words(kind: FigureKind, collision: &Collision) -> [String; 3] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{FigureAction, LiveFigure};
     use super::*;
+    use crate::lessons::Figure;
     use crate::physics::CollisionSpec;
 
     fn shot() -> Collision {
@@ -225,6 +228,15 @@ mod tests {
             let kind = FigureKind::Explosion { third_g: None };
             assert!((angle_deg(kind, &turned) - angle).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn a_disc_at_rest_stays_at_rest_when_the_angle_is_set() {
+        let figure = Figure::from_words("coalesce").unwrap();
+        let mut live = LiveFigure::new(figure, None, false);
+        assert_eq!(live.collision.u2, DVec2::ZERO);
+        live.act(FigureAction::Dial(1));
+        assert_eq!(live.collision.u2, DVec2::ZERO);
     }
 
     #[test]
