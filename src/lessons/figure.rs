@@ -3,6 +3,7 @@
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
 use super::{CollisionSpec, header::Shots, words::Words};
+use crate::physics::Bond;
 
 /// The kind of picture in a figure.
 #[derive(Debug, Clone, Copy, PartialEq, EnumString, VariantNames)]
@@ -183,6 +184,25 @@ impl FigureKind {
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
     }
+
+    /// Checks that the figure can show this shot.
+    fn check(self, shot: &CollisionSpec) -> Result<(), String> {
+        let is_curve = matches!(self, Self::Curves | Self::Angles | Self::Energy);
+        let is_for_rest = is_curve || matches!(self, Self::Triangle { .. });
+        Err(match shot {
+            _ if is_curve && shot.rims.friction > 0.0 => {
+                "expected a shot without rim_friction: the curves are for smooth rims"
+            }
+            _ if is_curve && shot.bond == Bond::Stick => {
+                "expected a shot without stick: the curves are for discs that separate"
+            }
+            _ if is_for_rest && shot.target_speed > 0.0 => {
+                "expected a shot without target_speed: the figure is for a target at rest"
+            }
+            _ => return Ok(()),
+        }
+        .into())
+    }
 }
 
 impl Figure {
@@ -236,11 +256,8 @@ impl Figure {
         let mut then = Words::of(then)?;
         let after = shots.take(&mut then, Some(shot))?.unwrap_or(shot);
         then.finish()?;
-        let plots = [FigureKind::Curves, FigureKind::Angles, FigureKind::Energy];
-        if plots.contains(&kind) && [shot, after].iter().any(|it| it.rims.friction > 0.0) {
-            let message = "expected a shot without rim_friction: the curves are for smooth rims";
-            return Err(message.into());
-        }
+        kind.check(&shot)?;
+        kind.check(&after)?;
         Ok(Self {
             kind,
             shot,

@@ -348,3 +348,20 @@ fn each_symbol_of_a_chapter_has_one_meaning_in_the_notation() {
         }
     }
 }
+
+#[test]
+fn a_figure_is_refused_for_a_shot_that_it_cannot_show() {
+    for words in [
+        "curves rim_friction=0.2",
+        "energy stick=true",
+        "angles target_speed=1",
+        "triangle target_speed=1",
+        "triangle then target_speed=1",
+    ] {
+        let refused = Figure::from_words(words).unwrap_err();
+        assert!(refused.starts_with("expected a shot without"), "{refused}");
+    }
+    for words in ["curves", "triangle stick=true", "frames target_speed=1"] {
+        assert!(Figure::from_words(words).is_ok(), "{words}");
+    }
+}
