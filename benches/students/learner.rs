@@ -206,7 +206,7 @@ impl Learner {
             let page = &of_it.pages[at];
             let mut given = None;
             if let Some(checkpoint) = &page.checkpoint {
-                let form = checkpoint.form(None, |_| String::new());
+                let form = checkpoint.form(None);
                 let knows = self.knows_all()
                     || self.student.belief != Belief::Guesses && self.chance(ANSWERED);
                 let answer = match form.truth() {

@@ -3,6 +3,7 @@
 use super::inline::{self, PageSource};
 use super::{Formula, Quantity, SourceLine};
 use crate::files::all;
+use crate::physics::Collision;
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +25,19 @@ pub enum Inline {
     Formula(Formula),
     /// A number that changes together with the page's figure.
     Live(Quantity),
+}
+
+impl Inline {
+    /// Pieces of text without emphasis, with the numbers of the collision in the page's figure. The
+    /// spaces of a formula are no-break spaces.
+    pub(super) fn plain(pieces: &[Self], figure: Option<&Collision>) -> String {
+        let plain = |piece: &Self| match piece {
+            Self::Text(text, _) => text.clone(),
+            Self::Formula(formula) => formula.inline().replace(' ', "\u{a0}"),
+            Self::Live(quantity) => figure.map_or(String::new(), |it| quantity.shown(it)),
+        };
+        pieces.iter().map(plain).collect()
+    }
 }
 
 /// The emphasis of text.

@@ -96,8 +96,8 @@ pub struct CheckpointChoice {
 
 impl Checkpoint {
     /// The question in the form used by the quiz, with the correct answer for the collision in the
-    /// page's figure; `spell` converts an option to text.
-    pub fn form(&self, figure: Option<&Collision>, spell: impl Fn(&[Inline]) -> String) -> Form {
+    /// page's figure.
+    pub fn form(&self, figure: Option<&Collision>) -> Form {
         match &self.asked {
             CheckpointKind::Rays => Form::Rays {
                 truth: figure.map_or_else(Rays::default, |it| Rays::from(&it.outcome())),
@@ -111,10 +111,13 @@ impl Checkpoint {
                 quantity: expected.measure(*tolerance),
                 truth: expected.value(figure).unwrap_or(f64::INFINITY),
             },
-            CheckpointKind::Choice(choices) => Form::Choice {
-                options: choices.iter().map(|choice| spell(&choice.text)).collect(),
-                right: choices.iter().position(|it| it.right).unwrap_or(0),
-            },
+            CheckpointKind::Choice(choices) => {
+                let option = |choice: &CheckpointChoice| Inline::plain(&choice.text, figure);
+                Form::Choice {
+                    options: choices.iter().map(option).collect(),
+                    right: choices.iter().position(|it| it.right).unwrap_or(0),
+                }
+            }
         }
     }
 

@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::*;
 use crate::files::FileLibrary;
 use crate::quiz::concepts;
-use crate::quiz::{Dice, Difficulty, Family, Figures, Misconception, Topic};
+use crate::quiz::{Dice, Difficulty, Family, Figures, Form, Misconception, Topic};
 
 #[test]
 fn all_built_in_chapters_are_valid() {
@@ -364,4 +364,19 @@ fn a_figure_is_refused_for_a_shot_that_it_cannot_show() {
     for words in ["curves", "triangle stick=true", "frames target_speed=1"] {
         assert!(Figure::from_words(words).is_ok(), "{words}");
     }
+}
+
+#[test]
+fn a_choice_shows_the_numbers_of_the_figure() {
+    let text = "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n\
+        # One\n::lab alpha_deg=30\n:::choice\nWhich?\n\
+        - [ ] {v2} m/s\n  No.\n- [x] $v_1 = 2$\n  Yes.\n:::\n";
+    let chapter = Chapter::read("01-test.md", text.as_bytes()).unwrap();
+    let page = &chapter.pages[0];
+    let collision = page.figure.unwrap().shot.collision();
+    let form = page.checkpoint.as_ref().unwrap().form(Some(&collision));
+    let Form::Choice { options, .. } = form else {
+        panic!("the checkpoint is a choice");
+    };
+    assert_eq!(options, ["3.46 m/s", "v₁\u{a0}=\u{a0}2"]);
 }

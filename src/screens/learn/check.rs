@@ -23,10 +23,7 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
             let revealed = checkpoint.map_or(vec![], |it| answers(&it.asked));
             let hit = page.figure.map(|figure| figure.shot.collision());
             let hinted = |it: &&Response| {
-                checkpoint.is_some_and(|asks| {
-                    let form = asks.form(hit.as_ref(), |_| String::new());
-                    asks.offers_second_try(&form, it)
-                })
+                checkpoint.is_some_and(|asks| asks.offers_second_try(&asks.form(hit.as_ref()), it))
             };
             let hinted = revealed.iter().filter(hinted).map(|it| (Some(*it), None));
             let answered = revealed.iter().map(|it| (None, Some(*it)));

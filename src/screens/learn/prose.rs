@@ -7,7 +7,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role, formula};
 
 /// The settings for writing the text of a page.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
     /// The collision from which the live numbers are computed.
     pub figure: Option<&'a Collision>,
@@ -84,11 +84,5 @@ impl Prose<'_> {
             }
         };
         pieces.iter().map(run).collect()
-    }
-
-    /// Pieces of text without styles.
-    pub(super) fn plain(self, pieces: &[Inline]) -> String {
-        let runs = self.runs(pieces, Role::Text).into_iter();
-        runs.map(|run| run.text).collect()
     }
 }

@@ -4,7 +4,6 @@ use crate::lessons::ChapterPage;
 use crate::physics::Collision;
 use crate::quiz::{Form, Response};
 use crate::screens::learn::figure::LiveFigure;
-use crate::screens::learn::prose::Prose;
 use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::{AnswerInput, RayInput};
 
@@ -62,7 +61,7 @@ impl OpenPage {
     /// page has no question.
     pub(super) fn form(&self) -> Option<Form> {
         let checkpoint = self.page.checkpoint.as_ref()?;
-        Some(checkpoint.form(self.collision(), |text| Prose::default().plain(text)))
+        Some(checkpoint.form(self.collision()))
     }
 
     /// Begins the second try: the rays keep their positions and can be changed.
