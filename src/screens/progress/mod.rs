@@ -98,11 +98,10 @@ impl Progress {
     }
 
     /// The same view with the next step at the end.
-    fn with_next_step<'s>(&self, view: View<'s, ProgressAction>) -> View<'s, ProgressAction> {
-        let mut second = view.second;
-        second.worth(1, |second| second.heading("What next"));
-        self.ahead.write(ProgressAction::DoNext, &mut second);
-        View { second, ..view }.laid_out(layout)
+    fn with_next_step<'s>(&self, mut view: View<'s, ProgressAction>) -> View<'s, ProgressAction> {
+        view.second.worth(1, |second| second.heading("What next"));
+        self.ahead.write(ProgressAction::DoNext, &mut view.second);
+        view.laid_out(layout)
     }
 
     /// Writes the file that the player hands in to a teacher.
