@@ -42,8 +42,8 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
 fn of_seen<'s>(quiz: &Quiz, sighting: &'s Sighting) -> View<'s, QuizAction> {
     let mut text = Panel::new("watch");
     text.subject = 2 * quiz.number();
-    let answered = quiz.round.questions().iter().zip(&quiz.answers);
-    let target = match answered.last().map(|(question, _)| &question.form) {
+    let mut answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let target = match answered.next_back().map(|(question, _)| &question.form) {
         Some(Form::Rays { target, .. }) => target,
         _ => "coin",
     };

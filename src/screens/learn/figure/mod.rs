@@ -301,10 +301,9 @@ impl LiveFigure {
         use FigureAction::{Alpha, AlphaEnd, Dial, DialEnd, Foil};
         let mut keys = KeyTable::new("figure");
         if let Some(dial) = self.dial() {
-            let (by, end): (fn(i8) -> FigureAction, fn(u8) -> FigureAction) = match dial.name {
-                ALPHA => (Alpha, AlphaEnd),
-                _ => (Dial, DialEnd),
-            };
+            let is_alpha = dial.name == ALPHA;
+            let by: fn(i8) -> FigureAction = if is_alpha { Alpha } else { Dial };
+            let end: fn(u8) -> FigureAction = if is_alpha { AlphaEnd } else { DialEnd };
             keys = keys
                 .by([Key::Left, Key::Right], by, [-1, 1], dial.name)
                 .or([('<', by(-LEAP)), ('>', by(LEAP))])

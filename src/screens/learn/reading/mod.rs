@@ -461,7 +461,7 @@ impl Screen for Reading {
         let view = if let Some(worked) = figure.worked() {
             let mut shown = Panel::new(figure.title());
             shown.part(ReadingAction::Figure, |shown| {
-                worked.write(&figure.collision, shown)
+                worked.write(&figure.collision, shown);
             });
             View::panels(shown, panel)
         } else {
