@@ -2,8 +2,8 @@
 //! paths, and the explanation.
 
 use crate::numbers::{fixed, true_minus};
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::Collision;
+use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 

@@ -10,9 +10,7 @@ use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
 use crate::physics::impact::kinetic_energy;
 use crate::physics::units::{g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{
-    Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, worked,
-};
+use crate::physics::{Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, worked};
 
 /// Describes a figure, as the student has set it, in sentences. The outcome is left out while it is
 /// hidden; most figures of a collision also leave it out if one of the `later` pages asks for it.
