@@ -7,7 +7,7 @@ use carrom::quiz::{Answer, Confidence, Family, Form, Question, Rays, Response, e
 
 use crate::questions;
 
-const SEEDS: u64 = 120;
+const SEEDS: u64 = 200;
 
 /// The numbers in a text, as printed.
 fn numbers(text: &str) -> Vec<(usize, &str)> {
