@@ -401,11 +401,14 @@ impl Cli {
                     .into(),
             );
         }
+        let other = match (code, set) {
+            (Some(_), _) => "--code, not both: a code contains its seed",
+            (None, Some(_)) => "--set, not both: a set always has the same questions",
+            (None, None) => return Ok(()),
+        };
         match self.options.seed {
-            Some(_) if code.is_some() || set.is_some() => {
-                Err("use either --seed or --code, not both: a code contains its seed".into())
-            }
-            _ => Ok(()),
+            Some(_) => Err(format!("use either --seed or {other}")),
+            None => Ok(()),
         }
     }
 }

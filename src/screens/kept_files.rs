@@ -39,6 +39,8 @@ pub(super) struct KeptFiles<T> {
     list: ListView,
     /// The ticket of a file that is being loaded.
     loading: Option<u64>,
+    /// The file that is deleted if the player agrees. The list may change in the meantime.
+    removing: Option<String>,
     /// The result of the last request.
     pub(super) notice: Option<String>,
 }
@@ -52,6 +54,7 @@ impl<T> KeptFiles<T> {
             files: Ok(None),
             list: ListView::default(),
             loading: None,
+            removing: None,
             notice: None,
         }
     }
@@ -97,9 +100,10 @@ impl<T> KeptFiles<T> {
         self.loading.take_if(|it| *it == ticket).is_some()
     }
 
-    pub(super) fn remove(&self, cx: &mut Context) {
-        if let Some(kept) = self.chosen() {
-            cx.ask(StoreRequest::Remove(self.kind.file, kept.name.clone()));
+    /// Requests the deletion to which the player has agreed.
+    pub(super) fn remove(&mut self, cx: &mut Context) {
+        if let Some(name) = self.removing.take() {
+            cx.ask(StoreRequest::Remove(self.kind.file, name));
         }
     }
 
@@ -120,6 +124,7 @@ impl<T> KeptFiles<T> {
 
     pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
         let KeptAction::List(action) = action else {
+            self.removing = self.chosen().map(|kept| kept.name.clone());
             let text = format!("Delete this {} permanently?", self.kind.one);
             return Next::Confirm(Confirmation::new(text, "delete it", "keep it"));
         };
@@ -187,5 +192,43 @@ impl<T> KeptFiles<T> {
             }
             None => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::messages::Effect;
+    use crate::screens::Settings;
+
+    #[test]
+    fn the_file_that_was_chosen_when_the_question_was_asked_is_deleted() {
+        let kind = KeptKind {
+            file: FileKind::Game,
+            one: "game",
+            all: "saved games",
+            saved: "",
+        };
+        let kept = |name: &str| Kept {
+            name: name.to_owned(),
+            age: None,
+            day: None,
+            content: Ok(Box::new(())),
+        };
+        let mut cx = Context::new(Settings::default(), 1);
+        let mut files = KeptFiles::ask(kind, &mut cx);
+        files.listed(Ok(["first", "second", "third"].map(kept).into()));
+        files.act(KeptAction::Remove, &mut cx);
+        // The deletion of an earlier file ends while the question is open.
+        files.listed(Ok(["second", "third"].map(kept).into()));
+        files.remove(&mut cx);
+        let removed = cx.take_asked().into_iter().find_map(|effect| match effect {
+            Effect::Keep(call) => match call.request {
+                StoreRequest::Remove(_, name) => Some(name),
+                _ => None,
+            },
+            _ => None,
+        });
+        assert_eq!(removed.as_deref(), Some("first"));
     }
 }

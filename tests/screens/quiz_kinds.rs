@@ -144,7 +144,7 @@ fn a_code_is_typed_and_corrected() {
     game.press("1-7");
     assert!(!game.screen().contains("not the code"));
     assert!(
-        game.screen().contains("mixed: 1 questions, number 7."),
+        game.screen().contains("mixed: 1 question, number 7."),
         "{}",
         game.screen()
     );

@@ -201,11 +201,13 @@ impl Screen for Table {
         Next::Stay
     }
 
-    fn confirmed(&mut self, _action: TableAction, cx: &mut Context) -> Next {
-        match &mut self.page {
-            TablePage::NewGame(_) | TablePage::Board(_) => {}
-            TablePage::Saved(page) => page.files.remove(cx),
-            TablePage::Playing(playing) => *self = Self::after(&playing.game, cx),
+    fn confirmed(&mut self, action: TableAction, cx: &mut Context) -> Next {
+        match (&mut self.page, action) {
+            (TablePage::Saved(page), _) => page.files.remove(cx),
+            // While the question was open, a saved game has been loaded.
+            (TablePage::Playing(_), TableAction::Saved(_)) => {}
+            (TablePage::Playing(playing), _) => *self = Self::after(&playing.game, cx),
+            (TablePage::NewGame(_) | TablePage::Board(_), _) => {}
         }
         Next::Stay
     }

@@ -8,7 +8,7 @@ use super::{
 use crate::numbers::counted;
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, Course, CourseKind, Family};
+use crate::quiz::{Code, Course, CourseKind, Family, Round};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::input::{ListAction, TextField};
@@ -265,17 +265,18 @@ fn code(own: &Arc<Library>, typed: &TextField, refused: bool) -> Panel<ChoosingA
     panel.text_field("code", typed.around_cursor(), true, None);
     panel.gap();
     match code_of(typed.text(), own) {
-        Some(Code { course, seed }) => {
-            let Course { kind, count } = &course;
-            let name = match &kind {
-                CourseKind::Topic(_) | CourseKind::Check(_) => kind.name(),
+        Some(code) => {
+            let Code { course, seed } = &code;
+            let name = match &course.kind {
+                CourseKind::Topic(_) | CourseKind::Check(_) => course.kind.name(),
                 kind => kind.id(),
             };
-            let most = match course.follows_answers() {
-                true => "at most ",
-                false => "",
+            let count = match course.follows_answers() {
+                true => format!("at most {}", counted(course.count, "question")),
+                // There may be fewer different questions than the code asks for.
+                false => counted(Round::of(code.clone()).questions().len(), "question"),
             };
-            let text = format!("{name}: {most}{count} questions, number {seed}.");
+            let text = format!("{name}: {count}, number {seed}.");
             panel.paragraph(text, Role::Good);
             panel.gap();
             panel.prompt("begin", ChoosingAction::Enter);
