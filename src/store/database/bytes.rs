@@ -1,10 +1,10 @@
 //! A database as bytes, because a browser has no files. The bytes are those of a `progress.db`
 //! file.
 
-use rusqlite::Connection;
+use rusqlite::{Connection, TransactionBehavior};
 
 use super::error::DatabaseError;
-use super::{Database, Location, limits, mend, schema, tables};
+use super::{Database, Location, limits, mend, schema, tables, transact};
 use crate::progress::Attempt;
 
 /// The position of the write and read versions in the file's header: 2 means a write-ahead log,
@@ -64,15 +64,13 @@ impl Database {
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
-        // This also ensures that the tables exist.
-        self.change(&|transaction| {
-            let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
-            fresh
-                .map(|attempt: &Attempt| tables::insert_attempt(transaction, attempt))
-                .collect::<rusqlite::Result<Vec<_>>>()
-        })?;
+        let fresh: Vec<_> = { theirs.iter() }.filter(|it| !own.contains(it)).collect();
+        // This ensures that the tables exist.
+        self.change(&|_| Ok(()))?;
         match &mut self.location {
-            Location::Memory(Some(connection)) => add(connection, &mut other).map_err(reported),
+            Location::Memory(Some(connection)) => {
+                add(connection, &mut other, &fresh).map_err(reported)
+            }
             _ => Ok(()),
         }
     }
@@ -94,13 +92,23 @@ fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
     Ok(connection)
 }
 
-fn add(connection: &mut Connection, other: &mut Connection) -> Result<(), DatabaseError> {
+/// Adds these answers, and everything else in `other`, as one transaction.
+fn add(
+    connection: &mut Connection,
+    other: &mut Connection,
+    fresh: &[&Attempt],
+) -> Result<(), DatabaseError> {
     let bytes = other.serialize("main")?.to_vec();
     connection.execute_batch("ATTACH ':memory:' AS opened")?;
     connection.deserialize_read_exact("opened", &*bytes, bytes.len(), false)?;
-    let added = connection.execute_batch(TAKE_IN);
+    let added = transact(connection, TransactionBehavior::Immediate, &|transaction| {
+        for attempt in fresh {
+            tables::insert_attempt(transaction, attempt)?;
+        }
+        transaction.execute_batch(TAKE_IN)
+    });
     connection.execute_batch("DETACH opened")?;
-    Ok(added?)
+    added
 }
 
 #[cfg(test)]
