@@ -7,11 +7,11 @@ use crate::files::{self, FileError, FileErrors, FileLibrary};
 use crate::screens::KeptSettings;
 
 /// Reads something from a file's name and bytes.
-type ReadBytes<T> = fn(&str, &[u8]) -> Result<T, FileErrors>;
+type ReadNamed<T> = fn(&str, &[u8]) -> Result<T, FileErrors>;
 
 /// Reads a file; `-` is standard input. `read` receives the file's name, for messages, and at most
 /// `most` + 1 of its bytes.
-pub(super) fn read<T>(path: &Path, most: usize, read: ReadBytes<T>) -> Result<T, Failure> {
+pub(super) fn read<T>(path: &Path, most: usize, read: ReadNamed<T>) -> Result<T, Failure> {
     let (name, bytes) = named_bytes(path, most)?;
     read(&name, &bytes).map_err(Failure::input)
 }
@@ -33,7 +33,7 @@ pub(super) fn named_bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>),
 pub(super) fn kept<T: Default>(
     path: &Path,
     most: usize,
-    read: ReadBytes<T>,
+    read: ReadNamed<T>,
 ) -> Result<T, FileErrors> {
     if !path.exists() {
         return Ok(T::default());

@@ -11,7 +11,7 @@ use super::problem::Problem;
 
 #[derive(Debug, Clone, Copy, serde::Deserialize)]
 #[serde(field_identifier, rename_all = "snake_case")]
-enum Key {
+enum ProblemKey {
     M1G,
     M2G,
     U1,
@@ -46,19 +46,21 @@ impl<'de> Visitor<'de> for ProblemVisitor {
         let mut problem = Problem::default();
         while let Some(field) = map.next_key()? {
             match field {
-                Key::M1G => set(&mut problem.m1_g, "m1_g", &mut map)?,
-                Key::M2G => set(&mut problem.m2_g, "m2_g", &mut map)?,
-                Key::U1 => set(&mut problem.u1, "u1", &mut map)?,
-                Key::U2 => set(&mut problem.u2, "u2", &mut map)?,
-                Key::AlphaDeg => set(&mut problem.alpha_deg, "alpha_deg", &mut map)?,
-                Key::OffsetMm => set(&mut problem.offset_mm, "offset_mm", &mut map)?,
-                Key::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
-                Key::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
-                Key::Restitution => set(&mut problem.restitution, "restitution", &mut map)?,
-                Key::Stick => set(&mut problem.stick, "stick", &mut map)?,
-                Key::RimFriction => set(&mut problem.rim_friction, "rim_friction", &mut map)?,
-                Key::Spin1 => set(&mut problem.spin1, "spin1", &mut map)?,
-                Key::Spin2 => set(&mut problem.spin2, "spin2", &mut map)?,
+                ProblemKey::M1G => set(&mut problem.m1_g, "m1_g", &mut map)?,
+                ProblemKey::M2G => set(&mut problem.m2_g, "m2_g", &mut map)?,
+                ProblemKey::U1 => set(&mut problem.u1, "u1", &mut map)?,
+                ProblemKey::U2 => set(&mut problem.u2, "u2", &mut map)?,
+                ProblemKey::AlphaDeg => set(&mut problem.alpha_deg, "alpha_deg", &mut map)?,
+                ProblemKey::OffsetMm => set(&mut problem.offset_mm, "offset_mm", &mut map)?,
+                ProblemKey::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
+                ProblemKey::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
+                ProblemKey::Restitution => set(&mut problem.restitution, "restitution", &mut map)?,
+                ProblemKey::Stick => set(&mut problem.stick, "stick", &mut map)?,
+                ProblemKey::RimFriction => {
+                    set(&mut problem.rim_friction, "rim_friction", &mut map)?;
+                }
+                ProblemKey::Spin1 => set(&mut problem.spin1, "spin1", &mut map)?,
+                ProblemKey::Spin2 => set(&mut problem.spin2, "spin2", &mut map)?,
             }
         }
         Ok(problem)

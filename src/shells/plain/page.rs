@@ -380,7 +380,7 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
                 Words::Columns { name, values } => Some((name, values.as_slice())),
                 _ => None,
             };
-            let is_dim = |(_, values): &Columns| values.iter().all(|it| it.role == Role::Dim);
+            let is_dim = |(_, values): &NamedRow| values.iter().all(|it| it.role == Role::Dim);
             let new_heads =
                 columns.filter(|it| heads.is_none() && item.press.is_none() && is_dim(it));
             let line = match (columns, option) {
@@ -408,10 +408,10 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
 }
 
 /// A row of a table: its name and its values.
-type Columns<'i> = (&'i Run, &'i [Run]);
+type NamedRow<'i> = (&'i Run, &'i [Run]);
 
 /// A row of a table, with each value after the heading of its column.
-fn row(heads: Option<Columns>, (name, values): Columns, option: Option<&PlainOption>) -> String {
+fn row(heads: Option<NamedRow>, (name, values): NamedRow, option: Option<&PlainOption>) -> String {
     let (head_name, heads) =
         heads.map_or(("", [].as_slice()), |(name, heads)| (&*name.text, heads));
     let values = values.iter().enumerate().map(|(at, value)| {
