@@ -154,8 +154,7 @@ fn slow(port: u16, name: &str, reads: bool, over: &AtomicBool) {
 /// The address of the hostile devices, for [`connect_from`].
 const HOSTILE: u8 = 3;
 
-/// A device that misbehaves in one of five ways, again and again after a pause.
-fn hostile(port: u16, kind: usize, pause: Duration, over: &AtomicBool) {
+fn hostile(port: u16, kind: usize, over: &AtomicBool) {
     let mut held = Vec::new();
     while !over.load(Ordering::SeqCst) {
         let Ok(mut stream) = connect_from(HOSTILE, port) else {
@@ -181,7 +180,7 @@ fn hostile(port: u16, kind: usize, pause: Duration, over: &AtomicBool) {
             _ => Pupil::join_from(HOSTILE, port, "BCDFGJ", "x", None).map(drop),
         };
         held.drain(..held.len().saturating_sub(200));
-        thread::sleep(pause);
+        thread::sleep(Duration::from_millis(5));
     }
 }
 
@@ -239,9 +238,8 @@ impl SeenTimes {
 }
 
 /// Plays a round of this many questions with `devices` well-behaved devices, whose votes are spread
-/// over the time `spread`, and with misbehaving ones if `bad` gives their pauses; prints the
-/// measured times.
-fn play(questions: usize, devices: u8, spread: Duration, bad: Option<Duration>) {
+/// over the time `spread`, and with misbehaving ones if `bad`; prints the measured times.
+fn play(questions: usize, devices: u8, spread: Duration, bad: bool) {
     let folder = Folder::new("crowd");
     let port = free_port();
     stop_a_round(folder.path(), &format!("mixed{questions}-7"));
@@ -249,7 +247,7 @@ fn play(questions: usize, devices: u8, spread: Duration, bad: Option<Duration>) 
     let (reports, heard) = mpsc::channel();
     let over = Arc::new(AtomicBool::new(false));
     let mut others = Vec::new();
-    if let Some(pause) = bad {
+    if bad {
         for i in 0..21 {
             let over = Arc::clone(&over);
             others.push(thread::spawn(move || {
@@ -258,7 +256,7 @@ fn play(questions: usize, devices: u8, spread: Duration, bad: Option<Duration>) 
         }
         for kind in 0..5 {
             let over = Arc::clone(&over);
-            others.push(thread::spawn(move || hostile(port, kind, pause, &over)));
+            others.push(thread::spawn(move || hostile(port, kind, &over)));
         }
     }
     let address = format!("127.0.0.1:{port}");
@@ -332,7 +330,7 @@ fn play(questions: usize, devices: u8, spread: Duration, bad: Option<Duration>) 
     }
     let took = start.elapsed();
     let (cpu, memory) = used(pty.pid());
-    let all = if bad.is_some() {
+    let all = if bad {
         ", 20 slow, 1 that reads nothing, 5 hostile"
     } else {
         ""
@@ -384,28 +382,18 @@ fn play(questions: usize, devices: u8, spread: Duration, bad: Option<Duration>) 
 #[test]
 #[ignore = "measures times; takes some minutes"]
 fn two_hundred_devices_vote() {
-    play(10, 198, Duration::from_secs(1), None);
+    play(10, 198, Duration::from_secs(1), false);
 }
 
 #[test]
 #[ignore = "measures times; takes some minutes"]
 fn two_hundred_devices_vote_alongside_slow_and_hostile_ones() {
-    play(
-        10,
-        198,
-        Duration::from_secs(1),
-        Some(Duration::from_millis(5)),
-    );
+    play(10, 198, Duration::from_secs(1), true);
 }
 
 /// The crowd is small and the round is short, so that this test can run with every change.
 pub(crate) fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
-    play(
-        3,
-        12,
-        Duration::from_millis(300),
-        Some(Duration::from_millis(50)),
-    );
+    play(3, 12, Duration::from_millis(300), true);
 }
 
 /// The number of devices that are voting when their host is killed.
