@@ -130,7 +130,7 @@ fn a_shorter_diagnosis_has_as_many_questions_as_its_code_says() {
 /// Twenty questions give enough answers to name each common misconception.
 #[test]
 fn a_mixed_round_tests_every_common_misconception_often_enough() {
-    for seed in 0..20 {
+    for seed in 0..40 {
         let round = Round::of(Code::parse(&format!("even20-{seed}")).unwrap());
         assert_eq!(round.questions().len(), 20);
         for pair in round.questions().windows(2) {
@@ -154,7 +154,7 @@ fn a_mixed_round_tests_every_common_misconception_often_enough() {
 #[test]
 fn a_check_asks_questions_that_can_show_the_misconception() {
     for &misconception in Misconception::ALL {
-        for seed in 0..2 {
+        for seed in 0..3 {
             let code = format!("{}-{seed}", misconception.id());
             let round = Round::of(Code::parse(&code).unwrap());
             assert_eq!(round.code().to_string(), code);

@@ -132,7 +132,7 @@ fn a_small_inaccuracy_changes_no_diagnosis() {
         striker: rays.striker.map(|angle| angle + a * slip),
         target: rays.target.map(|angle| angle + b * slip),
     };
-    for question in questions().take(1_200) {
+    for question in questions().take(2_000) {
         for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
             let right = sure(nudged(truth(question), a, b));
             assert_eq!(question.belief_of(&right), None);

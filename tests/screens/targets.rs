@@ -11,7 +11,7 @@ use proptest::test_runner::{RngSeed, TestRunner};
 use crate::key_tables::{Moment, moments, seen};
 
 /// The number of random screen sizes for each moment; at each size, one target is clicked.
-const SCREENS: u32 = 8;
+const SCREENS: u32 = 12;
 
 /// A screen, and a cell of one of its targets.
 #[derive(Debug, Clone)]
