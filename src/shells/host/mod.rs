@@ -33,7 +33,7 @@ use switchboard::Switchboard;
 /// How many ports are tried, from [`PORT`] on.
 const PORTS: u16 = 10;
 /// How long a program or a round that has just ended may take to release its port.
-const LETTING_GO: Duration = Duration::from_secs(2);
+const LETTING_GO: Duration = Duration::from_secs(5);
 /// How many connections may wait to be accepted. A whole class may join at the same moment.
 #[cfg(unix)]
 const BACKLOG: i32 = 1024;
