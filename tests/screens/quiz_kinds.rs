@@ -157,6 +157,19 @@ fn a_code_is_typed_and_corrected() {
 }
 
 #[test]
+fn the_page_of_a_code_promises_no_more_questions_than_there_may_be() {
+    for (code, count) in [
+        ("quick-7", "quick: 5 questions,"),
+        ("even60-7", "even: at most 60 questions,"),
+        ("beliefs-7", "beliefs: at most 12 questions,"),
+    ] {
+        let mut game = choosing();
+        game.press(&format!("c<Enter>{code}"));
+        assert!(game.screen().contains(count), "{}", game.screen());
+    }
+}
+
+#[test]
 fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
     let mut game = coded("exam6-7");
     for number in 1..=6 {

@@ -8,7 +8,7 @@ use super::{
 use crate::numbers::counted;
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, Course, CourseKind, Family, Round};
+use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::input::{ListAction, TextField};
@@ -265,18 +265,21 @@ fn code(own: &Arc<Library>, typed: &TextField, refused: bool) -> Panel<ChoosingA
     panel.text_field("code", typed.around_cursor(), true, None);
     panel.gap();
     match code_of(typed.text(), own) {
-        Some(code) => {
-            let Code { course, seed } = &code;
+        Some(Code { course, seed }) => {
             let name = match &course.kind {
                 CourseKind::Topic(_) | CourseKind::Check(_) => course.kind.name(),
                 kind => kind.id(),
             };
-            let count = match course.follows_answers() {
-                true => format!("at most {}", counted(course.count, "question")),
-                // There may be fewer different questions than the code asks for.
-                false => counted(Round::of(code.clone()).questions().len(), "question"),
+            // A round of a teacher's questions, or one that is longer than usual, may run out of
+            // different questions. To draw them all here would take too long.
+            let may_run_out =
+                matches!(course.kind, CourseKind::Own(_)) || course.count > course.kind.length();
+            let most = match may_run_out || course.follows_answers() {
+                true => "at most ",
+                false => "",
             };
-            let text = format!("{name}: {count}, number {seed}.");
+            let count = counted(course.count, "question");
+            let text = format!("{name}: {most}{count}, number {seed}.");
             panel.paragraph(text, Role::Good);
             panel.gap();
             panel.prompt("begin", ChoosingAction::Enter);
