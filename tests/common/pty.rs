@@ -145,13 +145,18 @@ impl Pty {
     /// Waits until the screen satisfies `wanted`; `what` describes this in the error message.
     pub(crate) fn wait_until(&self, what: &str, wanted: impl Fn(&str) -> bool) {
         let start = Instant::now();
-        while !wanted(&self.screen()) {
+        let (mut read, mut screen) = (0, self.screen());
+        while !wanted(&screen) {
             assert!(
                 start.elapsed() < PATIENCE,
-                "timed out waiting for {what}; the screen shows\n{}",
-                self.screen()
+                "timed out waiting for {what}; the screen shows\n{screen}"
             );
             thread::sleep(Duration::from_millis(2));
+            // The text is read again only after output, because reading it takes time.
+            let written = self.seen.lock().unwrap().bytes.len();
+            if written != read {
+                (read, screen) = (written, self.screen());
+            }
         }
     }
 

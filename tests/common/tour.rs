@@ -286,9 +286,9 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("table, the stroke before", "table", STROKE_BEFORE),
     moment("table, practice", "table", "<Left><Enter>"),
     moment("table, placing coins", "table", "<Left><Enter>p"),
-    moment("a board", "board 2026-11-26", ""),
-    moment("a board, its code typed", "board 2026-11-26", "47"),
-    moment("a board, aiming", "board 2026-11-26", "<Enter>"),
+    moment("a board", "board 2024-02-26", ""),
+    moment("a board, its code typed", "board 2024-02-26", "47"),
+    moment("a board, aiming", "board 2024-02-26", "<Enter>"),
     moment(
         "table, saved games",
         "table",

@@ -19,6 +19,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::damage::change;
 use crate::folder::Folder;
 use crate::handed_in::hand_in;
+use crate::thorough::cases;
 
 /// The result for a file: `None` if it was read, otherwise carrom's message.
 type Refusal = Option<String>;
@@ -267,7 +268,7 @@ fn assert_clear(message: &str) {
 
 #[test]
 fn damaged_files_are_read_or_refused_with_a_message() {
-    damage(13);
+    damage(cases(4, 13));
 }
 
 #[test]

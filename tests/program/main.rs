@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod at_once;
 mod bad_files;
 mod bad_lessons;
 mod bad_levels;
@@ -48,7 +49,6 @@ mod start;
 mod terminal;
 #[cfg(target_os = "linux")]
 mod unsaved;
-mod waits;
 mod worksheet;
 mod written;
 
@@ -75,3 +75,5 @@ mod pty;
 mod pupil;
 #[path = "../common/teacher.rs"]
 mod teacher;
+#[path = "../common/thorough.rs"]
+mod thorough;

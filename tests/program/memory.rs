@@ -24,6 +24,7 @@ use crate::folder::Folder;
 use crate::keys::said;
 #[cfg(unix)]
 use crate::pty::{Pty, carrom as carrom_in_terminal};
+use crate::thorough::cases;
 
 /// The answers that are stored in a folder, of one player or of all.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
@@ -85,11 +86,12 @@ fn child_answers() {
 }
 
 #[test]
-fn a_hundred_kills_during_answers_lose_no_answer() {
+fn kills_during_answers_lose_no_answer() {
     let folder = Folder::new("memory-killed");
     let mut chance = Pcg64::seed_from_u64(100);
     let mut before = 0;
-    for kill in 0..100 {
+    let kills = cases(25, 100);
+    for kill in 0..kills {
         let player = Player::start("memory::child_answers", folder.path(), &["Ada", "1000"]);
         let answers = chance.random_range(0..4);
         let said = player.kill(answers, &mut chance).unwrap_or(0);
@@ -101,7 +103,7 @@ fn a_hundred_kills_during_answers_lose_no_answer() {
         );
         before = now;
     }
-    assert!(before > 100);
+    assert!(before > kills);
 }
 
 #[test]

@@ -17,6 +17,7 @@ use crate::folder::Folder;
 use crate::handed_in::hand_in;
 use crate::pupil::Pupil;
 use crate::teacher::{Teacher, kept};
+use crate::thorough::cases;
 
 /// The page that is served in these tests.
 const STUB: &str = "<html lang=\"en\">a page</html>";
@@ -328,13 +329,15 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
     Message::text(text)
 }
 
-/// Ten devices send at least 10,000 random messages of all kinds, or the number in
-/// `CARROM_MESSAGES`, during a whole round of ten questions. The host keeps running, all votes of a
-/// pupil who votes normally are saved, and every vote on the disk is valid for its question.
+/// Ten devices send thousands of random messages of all kinds, or the number in `CARROM_MESSAGES`,
+/// during a whole round of ten questions. The host keeps running, all votes of a pupil who votes
+/// normally are saved, and every vote on the disk is valid for its question.
 #[test]
 fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vote() {
     let messages = std::env::var("CARROM_MESSAGES").ok();
-    let messages: usize = messages.and_then(|it| it.parse().ok()).unwrap_or(10_000);
+    let messages: usize = messages
+        .and_then(|it| it.parse().ok())
+        .unwrap_or(cases(3_000, 10_000));
     let folder = Folder::new("noise");
     let teacher = Teacher::with_round(&folder, STUB, ROUND);
     let mut ada = Pupil::join(teacher.port, &teacher.code, "Ada", None).unwrap();

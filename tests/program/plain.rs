@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 use carrom::quiz::{Answer, Code, Confidence, Form, Misconception, Question, Response, Round};
 
 use crate::folder::Folder;
+use crate::thorough::cases;
 
 /// The program's output for these input lines.
 fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
@@ -155,7 +156,8 @@ fn plain_mode_asks_again_politely_after_an_unclear_line() {
 #[test]
 fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     let folder = Folder::new("plain");
-    let one_line: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
+    let length = cases(1_000_000, 10_000_000);
+    let one_line: Vec<u8> = (0..length).map(|i| (i * i % 251) as u8).collect();
     // About 200 lines that together contain every byte.
     let scattered = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15).to_be_bytes()[1];
     let lines: Vec<u8> = (0..50_000).map(scattered).collect();
@@ -169,7 +171,7 @@ fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     ] {
         talk(arguments, folder.path(), &one_line);
         talk(arguments, folder.path(), &lines);
-        talk(arguments, folder.path(), &vec![b'x'; 10_000_000]);
+        talk(arguments, folder.path(), &vec![b'x'; length]);
     }
 }
 

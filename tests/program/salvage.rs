@@ -21,6 +21,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, OpenFlags, params_from_iter};
 
 use crate::folder::Folder;
+use crate::thorough::cases;
 
 /// The size of a database page in bytes.
 const PAGE: usize = 4096;
@@ -388,7 +389,7 @@ fn flip(bytes: &mut [u8], bits: usize, chance: &mut Pcg64Mcg) {
 
 #[test]
 fn rows_between_damaged_pages_are_saved() {
-    damage_of_all_kinds(3);
+    damage_of_all_kinds(cases(1, 3));
 }
 
 #[test]

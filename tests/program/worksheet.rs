@@ -448,8 +448,7 @@ const MEASURE: &str = "<script>addEventListener('load', () => {
 /// The height of an A4 page between its margins (270 mm), in CSS pixels.
 const PAGE: f64 = 270.0 / 25.4 * 96.0;
 
-#[test]
-fn printing_on_a4_splits_no_block_and_the_key_starts_a_page() {
+pub(crate) fn printing_on_a4_splits_no_block_and_the_key_starts_a_page() {
     let Some(browser) = browser() else {
         eprintln!("skipped: Chromium was not found, so worksheets were not printed");
         return;

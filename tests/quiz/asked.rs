@@ -1,15 +1,18 @@
 //! The message to a pupil's device while a question is open: it contains everything that is shown,
 //! and nothing about the answer.
 
+use std::collections::BTreeSet;
+
 use carrom::class::{AskedQuestion, RevealedTruth};
 use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};
 use carrom::widgets::{Charset, Depth, Look, Palette, Theme, draw_question};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Questions of every family, including every question in words.
+/// Questions of every family, including every question in words, each once.
 fn all() -> Vec<Question> {
     let mut all = Vec::new();
+    let mut asked_before = BTreeSet::new();
     for (family, difficulty) in Family::ALL
         .iter()
         .flat_map(|it| Difficulty::ALL.map(|d| (it, d)))
@@ -20,7 +23,8 @@ fn all() -> Vec<Question> {
         };
         for seed in 0..many {
             let asked = family.ask(difficulty, &mut Dice::new(seed));
-            all.extend(asked.map(|(question, _)| question));
+            let question = asked.map(|(question, _)| question);
+            all.extend(question.filter(|it| asked_before.insert(format!("{it:?}"))));
         }
     }
     all

@@ -32,7 +32,7 @@ fn sentences(text: &str) -> impl Iterator<Item = &str> {
 
 fn is_about_the_student(sentence: &str) -> bool {
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
-    words.any(|word| matches!(word.to_lowercase().as_str(), "you" | "your"))
+    words.any(|word| word.eq_ignore_ascii_case("you") || word.eq_ignore_ascii_case("your"))
 }
 
 /// The first number that a sentence wrongly attributes to the student.

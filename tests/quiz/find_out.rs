@@ -5,9 +5,14 @@
 use carrom::progress::{Attempt, Summary};
 use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};
 
-/// Answers the round with this code to the end.
-fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
-    let mut round = Round::of(Code::parse(code).unwrap());
+use crate::thorough::cases;
+
+fn round(code: &str) -> Round {
+    Round::of(Code::parse(code).unwrap())
+}
+
+/// Answers a round to its end.
+fn play(mut round: Round, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
     let mut answers = Vec::new();
     while let Some(question) = round.questions().get(answers.len()) {
         answers.push(Answer::new(answer(question), Confidence::ThinkSo));
@@ -41,9 +46,9 @@ fn right(question: &Question) -> Response {
 fn the_same_answers_lead_to_the_same_questions() {
     for seed in [0, 7, 1234] {
         let code = format!("find-out-{seed}");
-        let swapped = || play(&code, holding(Misconception::Swapped));
+        let swapped = || play(round(&code), holding(Misconception::Swapped));
         assert_eq!(swapped(), swapped());
-        let (first, other) = (swapped().0, play(&code, right).0);
+        let (first, other) = (swapped().0, play(round(&code), right).0);
         assert_eq!(first.questions()[0], other.questions()[0]);
         assert_ne!(first.questions()[1..], other.questions()[1..]);
         // Questions that were already answered are neither repeated nor changed.
@@ -61,14 +66,14 @@ fn a_code_of_the_diagnosis_always_gives_the_same_questions() {
     for (name, round) in [
         (
             "swapped",
-            play("find-out-7", holding(Misconception::Swapped)).0,
+            play(round("find-out-7"), holding(Misconception::Swapped)).0,
         ),
         (
             "frames mixed",
-            play("find-out-7", holding(Misconception::FramesMixed)).0,
+            play(round("find-out-7"), holding(Misconception::FramesMixed)).0,
         ),
-        ("right", play("find-out-7", right).0),
-        ("copied-angle-7", play("copied-angle-7", right).0),
+        ("right", play(round("find-out-7"), right).0),
+        ("copied-angle-7", play(round("copied-angle-7"), right).0),
     ] {
         texts.push(format!("{name}:"));
         let each = round.questions().iter();
@@ -81,9 +86,10 @@ fn a_code_of_the_diagnosis_always_gives_the_same_questions() {
 
 #[test]
 fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
-    for misconception in Misconception::COMMON {
-        for seed in 0..20 {
-            let played = play(&format!("find-out-{seed}"), holding(misconception));
+    for seed in 0..20 {
+        let round = round(&format!("find-out-{seed}"));
+        for misconception in Misconception::COMMON {
+            let played = play(round.clone(), holding(misconception));
             let summary = look_back(&played);
             assert_eq!(summary.most_held(), Some(misconception), "{seed}");
             assert!((3..=12).contains(&summary.attempts.len()));
@@ -95,9 +101,7 @@ fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
                 assert!(finding[1].contains(&number.to_string()), "{finding:?}");
             }
         }
-    }
-    for seed in 0..20 {
-        let summary = look_back(&play(&format!("find-out-{seed}"), right));
+        let summary = look_back(&play(round, right));
         assert_eq!(summary.named(), []);
         assert!(summary.finding()[0].starts_with("No misconception"));
     }
@@ -107,7 +111,7 @@ fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
 #[test]
 fn a_slip_is_not_reported_as_a_belief() {
     let finding = |misconception| {
-        let played = play("even20-7", holding(misconception));
+        let played = play(round("even20-7"), holding(misconception));
         let finding = look_back(&played).finding();
         assert!(finding[0].contains(misconception.name()), "{finding:?}");
         finding.join(" ")
@@ -123,15 +127,15 @@ fn a_slip_is_not_reported_as_a_belief() {
 
 #[test]
 fn a_shorter_diagnosis_has_as_many_questions_as_its_code_says() {
-    let (round, answers) = play("find-out4-7", right);
+    let (round, answers) = play(round("find-out4-7"), right);
     assert_eq!((round.questions().len(), answers.len()), (4, 4));
 }
 
 /// Twenty questions give enough answers to name each common misconception.
 #[test]
 fn a_mixed_round_tests_every_common_misconception_often_enough() {
-    for seed in 0..40 {
-        let round = Round::of(Code::parse(&format!("even20-{seed}")).unwrap());
+    for seed in 0..cases(10, 40) {
+        let round = round(&format!("even20-{seed}"));
         assert_eq!(round.questions().len(), 20);
         for pair in round.questions().windows(2) {
             assert_ne!(pair[0].family, pair[1].family);
@@ -144,7 +148,7 @@ fn a_mixed_round_tests_every_common_misconception_often_enough() {
             );
         }
         for misconception in Misconception::COMMON {
-            let played = play(&format!("even20-{seed}"), holding(misconception));
+            let played = play(round.clone(), holding(misconception));
             let summary = look_back(&played);
             assert_eq!(summary.most_held(), Some(misconception), "{seed}");
         }
@@ -156,7 +160,7 @@ fn a_check_asks_questions_that_can_show_the_misconception() {
     for &misconception in Misconception::ALL {
         for seed in 0..3 {
             let code = format!("{}-{seed}", misconception.id());
-            let round = Round::of(Code::parse(&code).unwrap());
+            let round = round(&code);
             assert_eq!(round.code().to_string(), code);
             assert_eq!(round.questions().len(), 2, "{code}");
             assert_ne!(round.questions()[0].text, round.questions()[1].text);
@@ -172,9 +176,9 @@ fn a_check_asks_questions_that_can_show_the_misconception() {
                 let held = question.beliefs.iter().find(|it| is_it(it.misconception));
                 held.map_or(question.form.truth(), |it| it.said)
             };
-            let held = look_back(&play(&code, holding));
+            let held = look_back(&play(round.clone(), holding));
             assert!(held.checked(misconception).starts_with("It still shows"));
-            let known = look_back(&play(&code, right));
+            let known = look_back(&play(round, right));
             assert!(known.checked(misconception).starts_with("Settled"));
         }
     }

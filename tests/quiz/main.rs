@@ -18,6 +18,8 @@ mod readability;
 mod rounds;
 #[path = "../../benches/students/mod.rs"]
 mod students;
+#[path = "../common/thorough.rs"]
+mod thorough;
 mod working;
 
 use carrom::quiz::{Dice, Difficulty, Family, Question};

@@ -11,6 +11,8 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
+use crate::thorough::cases;
+
 /// Routes to nearly every screen, and to rounds of the quiz: one of each kind that is always in the
 /// menu, a review, and one on each topic.
 fn places() -> Vec<Route> {
@@ -120,7 +122,7 @@ fn act() -> impl Strategy<Value = Act> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(cases(16, 64)))]
 
     #[test]
     fn no_input_and_no_size_makes_the_app_panic(
@@ -211,7 +213,7 @@ fn every_step_of_a_class_round_is_complete_in_ascii() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(cases(6, 24)))]
 
     #[test]
     fn any_step_of_a_class_round_accepts_any_key_at_any_size(

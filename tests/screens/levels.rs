@@ -13,6 +13,7 @@ use carrom::widgets::Charset;
 use proptest::prelude::*;
 
 use crate::folder::Folder;
+use crate::thorough::cases;
 
 const LONG: Duration = Duration::from_secs(120);
 
@@ -535,7 +536,7 @@ fn keys() -> impl Strategy<Value = Vec<Key>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(cases(12, 48)))]
 
     #[test]
     fn any_keys_at_any_size_can_be_drawn(

@@ -6,6 +6,7 @@ mod article;
 mod boards;
 mod class;
 mod class_devices;
+mod clicks;
 mod colours;
 mod every_screen;
 mod figures_in_chapters;
@@ -26,12 +27,13 @@ mod sheets;
 mod table;
 mod tape;
 mod tapes;
-mod targets;
 mod teacher;
 
 #[path = "../common/folder.rs"]
 mod folder;
 #[path = "../common/keys.rs"]
 mod keys;
+#[path = "../common/thorough.rs"]
+mod thorough;
 #[path = "../common/tour.rs"]
 mod tour;

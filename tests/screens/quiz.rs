@@ -12,6 +12,8 @@ use carrom::widgets::{Charset, SplitLayout};
 use proptest::prelude::*;
 use ratatui::layout::Rect;
 
+use crate::thorough::cases;
+
 const LONG: Duration = Duration::from_secs(120);
 
 fn quiz(seed: u64, charset: Charset, (columns, rows): (u16, u16)) -> Headless {
@@ -476,7 +478,7 @@ fn step() -> impl Strategy<Value = Step> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(cases(24, 96)))]
 
     /// Whatever is pressed, clicked or resized, the quiz continues, and an ASCII screen contains
     /// only ASCII.

@@ -22,6 +22,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::folder::Folder;
+use crate::thorough::cases;
 
 /// The seed of every game here.
 const SEED: u64 = 11;
@@ -618,7 +619,7 @@ fn act() -> impl Strategy<Value = Act> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(cases(12, 48)))]
 
     #[test]
     fn nothing_that_is_typed_at_the_table_makes_it_panic(

@@ -62,17 +62,20 @@ fn times(shot: &Shot) -> Vec<f64> {
 }
 
 fn assert_apart(shot: &Shot) {
+    let radii = || shot.discs().iter().map(|disc| disc.radius);
+    let longest_reach = 2.0 * radii().fold(0.0, f64::max);
     for time in times(shot) {
-        let now: Vec<_> = (0..shot.discs().len()).map(|i| shot.at(i, time)).collect();
-        for (j, b) in now.iter().enumerate() {
-            for (i, a) in now.iter().enumerate().take(j) {
-                let reach = shot.discs()[i].radius + shot.discs()[j].radius;
-                let overlap = reach - a.position.distance(b.position);
-                let both = a.state != DiscState::Pocketed && b.state != DiscState::Pocketed;
-                assert!(
-                    !both || overlap <= DEEPEST,
-                    "{i} and {j}: {overlap} m at {time} s"
-                );
+        let now = radii().enumerate().map(|(i, r)| (i, r, shot.at(i, time)));
+        let mut now: Vec<_> = now
+            .filter(|(.., it)| it.state != DiscState::Pocketed)
+            .map(|(i, r, it)| (i, r, it.position))
+            .collect();
+        now.sort_by(|(.., a), (.., b)| a.x.total_cmp(&b.x));
+        for (k, &(j, r, b)) in now.iter().enumerate() {
+            let near = now[..k].iter().rev();
+            for &(i, other, a) in near.take_while(|(.., a)| b.x - a.x <= longest_reach) {
+                let overlap = r + other - a.distance(b);
+                assert!(overlap <= DEEPEST, "{i} and {j}: {overlap} m at {time} s");
             }
         }
     }

@@ -1,13 +1,14 @@
 //! Tests that mostly wait: for the limits of a host, for devices, for a program in a terminal. One
-//! after the other they would take 40 s, so they run at the same time. A failure names its test.
+//! after the other they would take 50 s, so they run at the same time. A failure names its test.
+//! The name of this module puts them first, so that others can run while they wait.
 
 use std::thread;
 
-use crate::hosted;
 #[cfg(unix)]
 use crate::terminal;
 #[cfg(target_os = "linux")]
 use crate::{crowd, idle, unsaved};
+use crate::{hosted, worksheet};
 
 const WAITS: &[(&str, fn())] = &[
     #[cfg(target_os = "linux")]
@@ -39,6 +40,10 @@ const WAITS: &[(&str, fn())] = &[
     (
         "a key pressed while the window changes is not lost",
         terminal::a_key_pressed_while_the_window_changes_is_not_lost,
+    ),
+    (
+        "printing on A4 splits no block and the key starts a page",
+        worksheet::printing_on_a4_splits_no_block_and_the_key_starts_a_page,
     ),
     (
         "nobody gets in without the code",

@@ -9,9 +9,7 @@ use proptest::sample::{Index, select};
 use proptest::test_runner::{RngSeed, TestRunner};
 
 use crate::key_tables::{Moment, moments, seen};
-
-/// The number of random screen sizes for each moment; at each size, one target is clicked.
-const SCREENS: u32 = 12;
+use crate::thorough::cases;
 
 /// A screen, and a cell of one of its targets.
 #[derive(Debug, Clone)]
@@ -74,7 +72,8 @@ fn a_click_on_a_target_does_what_the_target_does() {
     let (clicks, changes) = (Cell::new(0), Cell::new(0));
     for (number, moment) in (0..).zip(moments()) {
         let mut runner = TestRunner::new(ProptestConfig {
-            cases: SCREENS,
+            // At each random size of the screen, one target is clicked.
+            cases: cases(4, 12),
             failure_persistence: None,
             rng_seed: RngSeed::Fixed(number),
             ..ProptestConfig::default()
@@ -91,7 +90,7 @@ fn a_click_on_a_target_does_what_the_target_does() {
     let (clicks, changes) = (clicks.get(), changes.get());
     // A click on a line that is already chosen may change nothing.
     assert!(
-        clicks > 400 && 5 * changes > 4 * clicks,
+        clicks > cases(150, 400) && 5 * changes > 4 * clicks,
         "{changes} of {clicks}"
     );
 }
