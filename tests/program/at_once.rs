@@ -4,10 +4,10 @@
 
 use std::thread;
 
+#[cfg(unix)]
+use crate::terminal;
 #[cfg(target_os = "linux")]
 use crate::{crowd, idle, unsaved};
-#[cfg(unix)]
-use crate::{freeze, kill, memory, terminal};
 use crate::{hosted, worksheet};
 
 const WAITS: &[(&str, fn())] = &[
@@ -40,21 +40,6 @@ const WAITS: &[(&str, fn())] = &[
     (
         "a key pressed while the window changes is not lost",
         terminal::a_key_pressed_while_the_window_changes_is_not_lost,
-    ),
-    #[cfg(unix)]
-    (
-        "keys work again after a paste whose end is lost",
-        freeze::keys_work_again_after_a_paste_whose_end_is_lost,
-    ),
-    #[cfg(unix)]
-    (
-        "the real game in a terminal continues after being killed",
-        kill::the_real_game_in_a_terminal_continues_after_being_killed,
-    ),
-    #[cfg(unix)]
-    (
-        "the real game in a terminal saves every explained answer",
-        memory::the_real_game_in_a_terminal_saves_every_explained_answer,
     ),
     (
         "printing on A4 splits no block and the key starts a page",

@@ -155,7 +155,8 @@ fn a_paste_beyond_the_limit_is_truncated_at_once() {
     leave(pty, "a truncated paste", ctrl_c, 0);
 }
 
-pub(crate) fn keys_work_again_after_a_paste_whose_end_is_lost() {
+#[test]
+fn keys_work_again_after_a_paste_whose_end_is_lost() {
     let mut pty = Pty::start(carrom(&["class"]));
     pty.wait_for("carrom : class");
     pty.press("\x1b[200~Ants\nBees");

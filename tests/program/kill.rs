@@ -149,7 +149,8 @@ fn two_killed_games_harm_neither_each_other_nor_older_games() {
     }
 }
 
-pub(crate) fn the_real_game_in_a_terminal_continues_after_being_killed() {
+#[test]
+fn the_real_game_in_a_terminal_continues_after_being_killed() {
     let folder = Folder::new("killed-pty");
     let data = folder.path().to_str().unwrap();
     let mut chance = Pcg64::seed_from_u64(3);

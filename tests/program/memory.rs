@@ -192,7 +192,8 @@ fn topics_are_no_longer_due_after_a_correct_review() {
 }
 
 #[cfg(unix)]
-pub(crate) fn the_real_game_in_a_terminal_saves_every_explained_answer() {
+#[test]
+fn the_real_game_in_a_terminal_saves_every_explained_answer() {
     let folder = Folder::new("memory-pty");
     let data = folder.path().to_str().unwrap();
     let settings = "format = 1\nwhat_you_saw = \"no\"\n";
