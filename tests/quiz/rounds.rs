@@ -13,6 +13,8 @@ use carrom::quiz::{
 use carrom::widgets::{Charset, text::wrap};
 use glam::DVec2;
 
+use crate::thorough::cases;
+
 const SEEDS: u64 = 2_000;
 
 static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| {
@@ -195,7 +197,7 @@ fn every_text_is_readable_and_fits() {
         Some(0.9),
         Some(2.0),
     ];
-    for question in questions().take(2_000) {
+    for question in questions().take(cases(500, 2_000)) {
         assert_readable(&question.text, 10);
         let mut answers: Vec<Rays> = beliefs(question).map(|(_, rays, _)| rays).collect();
         answers.push(truth(question));

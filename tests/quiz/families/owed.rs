@@ -9,6 +9,8 @@ use carrom::quiz::{
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
+use crate::thorough::cases;
+
 /// The number of seeds that are tried at each difficulty.
 pub(crate) const SEEDS: u64 = 2_000;
 
@@ -101,10 +103,10 @@ pub(crate) fn assert_family(family: Family) {
     for difficulty in Difficulty::ALL {
         let mut here: BTreeMap<&str, u32> = BTreeMap::new();
         let mut different = BTreeSet::new();
-        for question in questions(family, difficulty) {
+        for (number, question) in questions(family, difficulty).enumerate() {
             assert_eq!((question.family, question.difficulty), (family, difficulty));
             // A question that has been checked is not checked again.
-            if different.insert(identity(&question)) {
+            if different.insert(identity(&question)) && number % cases(4, 1) == 0 {
                 assert_question(&question);
             }
             for belief in &question.beliefs {
