@@ -1,4 +1,4 @@
-//! How much the tests with random cases try.
+//! How often tests try something at random.
 
 /// The number of cases that a test tries: `many` if `CARROM_THOROUGH` is set, as in CI, and `few`
 /// otherwise.

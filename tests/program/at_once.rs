@@ -1,5 +1,5 @@
 //! Tests that mostly wait: for the limits of a host, for devices, for a program in a terminal. One
-//! after the other they would take 50 s, so they run at the same time. A failure names its test.
+//! after the other they would take more than 40 s, so they run at the same time. A failure names its test.
 //! The name of this module puts them first, so that others can run while they wait.
 
 use std::thread;

@@ -157,7 +157,7 @@ fn plain_mode_asks_again_politely_after_an_unclear_line() {
 fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     let folder = Folder::new("plain");
     let length = cases(1_000_000, 10_000_000);
-    let one_line: Vec<u8> = (0..length).map(|i| (i * i % 251) as u8).collect();
+    let one_line: Vec<u8> = (0..length as u64).map(|i| (i * i % 251) as u8).collect();
     // About 200 lines that together contain every byte.
     let scattered = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15).to_be_bytes()[1];
     let lines: Vec<u8> = (0..50_000).map(scattered).collect();

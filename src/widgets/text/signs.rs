@@ -4,7 +4,9 @@ use crate::lessons::formula::raised;
 
 /// The digit or sign that corresponds to a superscript character.
 pub(crate) fn superscript(letter: char) -> Option<char> {
-    // Most letters are ASCII, and this is asked for each letter of each text.
-    let mut signs = "-0123456789".chars().filter(|_| !letter.is_ascii());
-    signs.find(|it| raised(*it) == Some(letter))
+    // Most letters of a text are ASCII, and the search below is slow.
+    if letter.is_ascii() {
+        return None;
+    }
+    "-0123456789".chars().find(|it| raised(*it) == Some(letter))
 }

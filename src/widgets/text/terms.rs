@@ -97,15 +97,11 @@ fn split(
 /// For each word, how strongly it is bound to the word before it.
 fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
     let mut depth = 0_usize;
-    let (mut before, mut after_prose) = ("", false);
+    let mut before = "";
     let mut holds = Vec::with_capacity(words.len());
     for word in words {
         let word = word.as_ref();
-        let prose = is_prose(word);
-        let hold = match after_prose && prose {
-            true => Hold::Free,
-            false => by_rules(before, word, depth > 0),
-        };
+        let hold = hold(before, word, depth > 0);
         if hold == Hold::Free {
             depth = 0;
         }
@@ -116,14 +112,21 @@ fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
                 _ => {}
             }
         }
-        (before, after_prose) = (word, prose);
+        before = word;
         holds.push(hold);
     }
     holds
 }
 
-/// How strongly two words are held together, inside or outside brackets, if they are not both
-/// ordinary words.
+/// How strongly two words are held together, inside or outside brackets.
+fn hold(before: &str, after: &str, in_brackets: bool) -> Hold {
+    match is_prose(before) && is_prose(after) {
+        true => Hold::Free,
+        false => by_rules(before, after, in_brackets),
+    }
+}
+
+/// How strongly two words are held together, without the quick test for ordinary words.
 fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     let sign = |word: &str| ["-", "−", "+", "±"].contains(&word);
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);

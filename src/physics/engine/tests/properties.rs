@@ -70,6 +70,7 @@ fn assert_apart(shot: &Shot) {
             .filter(|(.., it)| it.state != DiscState::Pocketed)
             .map(|(i, r, it)| (i, r, it.position))
             .collect();
+        assert!(now.iter().all(|(.., it)| it.is_finite()), "{now:?}");
         now.sort_by(|(.., a), (.., b)| a.x.total_cmp(&b.x));
         for (k, &(j, r, b)) in now.iter().enumerate() {
             let near = now[..k].iter().rev();
